@@ -19,8 +19,10 @@ MAX_MEDIAN_LINES = 15
 # Files whose lists of arguments are dictated from outside.
 DICTATED = {
     "interfaces/abaqus_uel.f90": "Abaqus calls it",
+    "interfaces/feap_elmt.f90": "FEAP calls it",
     "interfaces/f2py_beams.f90": "f2py takes no derived types",
     "interfaces/f2py_contact.f90": "f2py takes no derived types",
+    "interfaces/f2py_contact_em.f90": "f2py takes no derived types",
     "interfaces/f2py_heat.f90": "f2py takes no derived types",
     "interfaces/f2py_line.f90": "f2py takes no derived types",
     "interfaces/f2py_surface.f90": "f2py takes no derived types",

@@ -28,7 +28,8 @@ MAY_IMPORT = {
     "pictures": {"errors", "base", "wires", "results"},
     "viewer": {"errors", "base", "wires", "results", "pictures"},
     "reports": {"errors", "base", "wires", "results", "pictures", "viewer"},
-    "commands": {"errors", "base", "results", "model", "build", "pictures", "viewer", "reports"},
+    "hosts": {"errors", "deck", "model", "runs", "kernels"},
+    "commands": {"errors", "base", "results", "model", "build", "pictures", "viewer", "reports", "hosts"},
     "cli": {"errors", "base"},
     # names that are known to those who check types before they are loaded
     "__init__": {"errors", "moved", "base", "runs"},

@@ -140,7 +140,7 @@ contains
             rest = i
             cycle
          end if
-         if (all(self%items(i)%elements == new%elements)) return
+         if (all(self%items(i)%elements == new%elements) .and. is_same_finding(self%items(i), new)) return
          n_alike = n_alike + 1
       end do
       i = rest
@@ -149,6 +149,16 @@ contains
       new%elements = 0
       new%message = 'more than '//to_text(max_pairs)//' places have this warning; the next one: '//new%message
    end subroutine find_entry
+
+   !> Of the start of a run, those about no element are known by their messages: each is about another place of the
+   !> deck.
+   pure logical function is_same_finding(item, new) result(is_same)
+      type(run_warning_t), intent(in) :: item, new
+
+      is_same = .true.
+      if (all(new%elements == 0) .and. all(new%first == 0) .and. all(item%first == 0)) is_same = &
+         item%message == new%message
+   end function is_same_finding
 
    pure subroutine append(self, new)
       type(run_warnings_t), intent(inout) :: self

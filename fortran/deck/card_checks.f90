@@ -6,8 +6,8 @@ module litz_card_checks
    use litz_deck, only: token_t
    use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, place_model, &
       place_step, place_begins_step, kind_flag, kind_choice
-   use litz_foreign_words, only: advice_about
-   use litz_reader, only: reader_t, fail_at, applies, has_choice
+   use litz_foreign_words, only: advice_about, role_of, role_idle
+   use litz_reader, only: reader_t, fail_at, warn_of_idle, applies, has_choice
    use litz_value_checks, only: check_value
    implicit none
    private
@@ -24,12 +24,15 @@ contains
 
       associate (n => self%deck%n_cards)
          allocate (self%spec(n), self%step(n), source=0)
+         allocate (self%told(n), self%is_idle(n), source=.false.)
          do card = 1, n
             self%spec(card) = self%table%find(self%deck%text(self%deck%cards(card)%name))
-            if (self%spec(card) == 0) call unknown_keyword(self, card)
+            if (self%spec(card) > 0) cycle
+            self%is_idle(card) = role_of(self%deck%text(self%deck%cards(card)%name)) == role_idle
+            call unknown_keyword(self, card)
          end do
          call check_steps(self)
-         self%broken_keywords = any(self%spec == 0 .and. self%step == 0)
+         self%broken_keywords = any(self%spec == 0 .and. self%step == 0 .and. .not. self%is_idle)
          parent = ''
          do card = 1, n
             if (self%spec(card) == 0) cycle
@@ -40,6 +43,7 @@ contains
       end associate
    end subroutine check_cards
 
+   !> One that litz lacks: an error, unless it changes no result.
    subroutine unknown_keyword(self, card)
       type(reader_t), intent(inout) :: self
       !> Index of the card
@@ -51,7 +55,11 @@ contains
       word = self%deck%text(token)
       message = unknown_keyword_message(self%table, word, self%deck%shown(token))
       token%first = token%first - 1
-      call fail_at(self, token, message)
+      if (self%is_idle(card)) then
+         call warn_of_idle(self, card, token, message)
+      else
+         call fail_at(self, token, message)
+      end if
    end subroutine unknown_keyword
 
    !> Model part first, then steps, each from *STEP to *END STEP. Cards out of place are not read further.
@@ -112,6 +120,7 @@ contains
       associate (keyword => self%table%keywords(self%spec(card)))
          if (len_trim(keyword%after) == 0) then
             parent = trim(keyword%name)
+            if (len_trim(keyword%counts_as) > 0) parent = trim(keyword%counts_as)
          else if (parent /= trim(keyword%after)) then
             call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)//' must follow the *'// &
                trim(keyword%after)//' it belongs to, before any other keyword')
@@ -167,7 +176,10 @@ contains
          message = 'unknown parameter '//self%deck%shown(token)//' of *'//trim(keyword%name)
          nearest = nearest_word(squeezed(self%deck%text(token)), names)
          advice = advice_about(keyword%name, self%deck%text(token))
-         if (len(advice) > 0) then
+         if (role_of(keyword%name, self%deck%text(token)) == role_idle) then
+            call warn_of_idle(self, card, token, message//': '//advice)
+            return
+         else if (len(advice) > 0) then
             message = message//': '//advice
             if (size(names) > 0) message = message//'; allowed: '//join_words(names, 'and')
          else if (len(nearest) > 0) then

@@ -3,14 +3,14 @@ module litz_data_lines
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one
-   use litz_foreign_words, only: advice_about
+   use litz_foreign_words, only: advice_about_more
    use litz_keywords, only: data_spec_t, field_spec_t, kind_integer, kind_real, kind_text, within_limit
    use litz_deck, only: token_t
    use litz_reader, only: reader_t, values_t, fail_at, applies, keyword_of
    use litz_value_checks, only: check_value, behind_semicolon, hint_about_blanks
    implicit none
    private
-   public :: read_line, describe_form
+   public :: read_line, read_only_line, describe_form
 
 contains
 
@@ -39,7 +39,7 @@ contains
          if (n > n_allowed .and. n_allowed > 0) then
             call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
                ' takes '//to_text(n_allowed)//' on this line: '//describe_form(form)// &
-               behind_semicolon(advice_about(keyword_of(self, card), value='+')))
+               behind_semicolon(advice_about_more(keyword_of(self, card), form%when)))
             ok = .false.
             n = n_allowed
          end if
@@ -50,6 +50,18 @@ contains
          if (mod(n, n_fields) /= 0 .or. n == 0) call check_missing(self, form, line, ok)
       end associate
    end subroutine read_line
+
+   !> The first data line of a card; `ok` is .false. when there is none.
+   subroutine read_only_line(self, card, ok)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      !> .false.: there is no line, or something about it was reported
+      logical, intent(out) :: ok
+
+      ok = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
+      if (ok) call read_line(self, card, self%deck%cards(card)%first_data, ok)
+   end subroutine read_only_line
 
    !> The form that the table gives for this line of the card.
    pure subroutine find_form(self, card, line)

@@ -12,7 +12,8 @@ module litz_deck_reader
    use litz_card_checks, only: check_cards
    use litz_read_mesh, only: read_mesh
    use litz_sets, only: read_sets
-   use litz_read_properties, only: read_materials, read_sections, read_amplitudes, report_unused
+   use litz_read_properties, only: read_materials, read_amplitudes, report_unused
+   use litz_read_sections, only: read_sections
    use litz_read_contact, only: read_interactions, read_contact_pairs
    use litz_read_equations, only: read_equations
    use litz_read_rigid_bodies, only: read_rigid_bodies
@@ -40,12 +41,14 @@ contains
          allocate (self%line_read(self%deck%n_lines), source=.false.)
          call read_cards(self, model)
          call check_unread_lines(self)
+         warnings = self%warnings
          if (self%errors%count == 0) call report_findings(self, model, warnings)
          call warn_about_spare_nodes(self, model, warnings)
          call warn_about_temperatures(self, model, warnings)
       end if
       errors = self%errors
       call errors%sort()
+      call warnings%sort()
    end subroutine read_deck
 
    !> In the order in which one part needs another, whatever their order in the deck.

@@ -5,7 +5,12 @@ module litz_foreign_words
    use litz_text, only: squeezed, words_of, word_length
    implicit none
    private
-   public :: foreign_word_t, foreign_words, foreign_keyword, advice_about
+   public :: foreign_word_t, foreign_words, foreign_keyword, advice_about, advice_about_more
+   public :: role_of, role_procedure, role_idle
+
+   !> What a keyword that litz lacks is about: the model, the analysis of a step, or what
+   !> changes no result of litz, such as output: it is ignored with a warning
+   integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2
 
    !> Lists are separated by bars.
    type :: foreign_word_t
@@ -13,29 +18,40 @@ module litz_foreign_words
       character(len=200) :: keywords
       !> Parameters that litz lacks, or the one whose values it lacks
       character(len=120) :: parameters
-      !> Values of the parameter, or of a data line; `+`: more values than a data line takes
-      character(len=160) :: values
+      !> Values of the parameter, or of a data line; `+`: more values than a data line takes, `VALUE+`: than it takes
+      !> with this value of the parameter
+      character(len=200) :: values
       !> What to do in litz, as the end of a sentence
       character(len=200) :: advice
+      !> One of `role_...`
+      integer :: role = role_model
    end type foreign_word_t
 
    !> Keywords about the analysis and the model
    type(foreign_word_t), parameter :: of_model(*) = [ &
       foreign_word_t('DYNAMIC|MODAL DYNAMIC|DIRECT CYCLIC', '', '', 'there is no inertia: use *STATIC, and'// &
-      ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported'), &
-      foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC'), &
-      foreign_word_t('PIEZOELECTRIC|ELECTROMAGNETIC', '', '', &
+      ' *CONTROLS, PARAMETERS=STABILIZE where wires snap or are unsupported', &
+      role_procedure), &
+      foreign_word_t('VISCO|CREEP|VISCOELASTIC', '', '', 'nothing is rate-dependent: use *STATIC and *ELASTIC', &
+      role_procedure), &
+      foreign_word_t('PIEZOELECTRIC|ELECTROMAGNETICS|ELECTROMAGNETIC|GEOSTATIC|SOILS', '', '', &
       'use *STATIC, which solves forces and currents together, or *COUPLED TEMPERATURE-DISPLACEMENT for'// &
-      ' temperatures'), &
-      foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL'), &
-      foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS', '', '', &
-      'there are no eigenvalues: *STATIC follows the wires through large displacements'), &
+      ' temperatures', &
+      role_procedure), &
+      foreign_word_t('HEAT TRANSFER', '', '', 'use *COUPLED THERMAL-ELECTRICAL', &
+      role_procedure), &
+      foreign_word_t('FREQUENCY|BUCKLE|COMPLEX FREQUENCY|STEADY STATE DYNAMICS|GREEN|SUBSTRUCTURE GENERATE|RANDOM'// &
+      ' RESPONSE', '', '', &
+      'there are no eigenvalues: *STATIC follows the wires through large displacements', &
+      role_procedure), &
       foreign_word_t('IMPERFECTION', '', '', 'put it into the coordinates of *NODE'), &
-      foreign_word_t('TIME POINTS', '', '', 'leave it out; the fourth value of *STATIC is the largest increment'), &
+      foreign_word_t('TIME POINTS', '', '', 'leave it out; the fourth value of *STATIC is the largest increment', &
+      role_idle), &
       foreign_word_t('SOLVER CONTROLS', '', '', 'leave it out; *SOLVER chooses the solver'), &
       foreign_word_t('MODEL CHANGE', '', '', 'elements and contact pairs are the same in all steps'), &
-      foreign_word_t('PREPRINT|FILE FORMAT|MONITOR|PRINT|DIAGNOSTICS|NO PRINT', '', '', &
-      'leave it out; the files DECK.sta and DECK.cvg report every increment and iteration'), &
+      foreign_word_t('PREPRINT|FILE FORMAT|MONITOR|PRINT|DIAGNOSTICS|NO PRINT|FILTER', '', '', &
+      'leave it out; the files DECK.sta and DECK.cvg report every increment and iteration', &
+      role_idle), &
       foreign_word_t('PARAMETER', '', '', 'write the values; litz.sweep of Python fills in {names}, litz.Deck'// &
       ' changes values'), &
       foreign_word_t('PART|END PART|ASSEMBLY|END ASSEMBLY|INSTANCE|END INSTANCE', '', '', &
@@ -52,9 +68,7 @@ module litz_foreign_words
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
       'only beams are available: a spring is a thin beam, of stiffness EA/L'), &
       foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
-      'only beams are available: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC'), &
-      foreign_word_t('BEAM GENERAL SECTION', '', '', 'use *BEAM SECTION, SECTION=GENERAL with a MATERIAL; the data'// &
-      ' are A, I11, I12, I22, J')]
+      'only beams are available: use *BEAM SECTION, ELSET=..., MATERIAL=..., SECTION=CIRC')]
 
    !> Keywords about materials, contact, loads and results
    type(foreign_word_t), parameter :: of_laws(*) = [ &
@@ -74,18 +88,24 @@ module litz_foreign_words
       foreign_word_t('DSLOAD', '', '', 'beams have no surfaces: *DLOAD gives forces per length'), &
       foreign_word_t('DECURRENT|DSECURRENT', '', '', 'distribute the current over the nodes: *CECURRENT'), &
       foreign_word_t('OUTPUT|FILE OUTPUT', '', '', 'leave it out: fields are always written (*NODE FILE says how'// &
-      ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT request values over time'), &
+      ' often), and *NODE PRINT, *EL PRINT, *ELECTRODE PRINT request values over time', &
+      role_idle), &
       foreign_word_t('NODE OUTPUT', '', '', 'leave it out: fields are always written; *NODE PRINT, NSET=...'// &
       ' requests'// &
-      ' values over time'), &
+      ' values over time', &
+      role_idle), &
       foreign_word_t('ELEMENT OUTPUT', '', '', 'leave it out: fields are always written; *EL PRINT, ELSET=...'// &
       ' requests'// &
-      ' values over time'), &
+      ' values over time', &
+      role_idle), &
       foreign_word_t('CONTACT OUTPUT|CONTACT FILE', '', '', 'leave it out: every contact is always written, to'// &
-      ' DECK_contacts.csv and .vtkhdf'), &
-      foreign_word_t('ENERGY OUTPUT|ENERGY FILE', '', '', 'use *ENERGY PRINT'), &
-      foreign_word_t('SECTION PRINT|SECTION FILE|INTEGRATED OUTPUT', '', '', &
-      'use *EL PRINT with SF, or *NODE PRINT with RF and TOTALS=ONLY')]
+      ' DECK_contacts.csv and .vtkhdf', &
+      role_idle), &
+      foreign_word_t('ENERGY OUTPUT|ENERGY FILE|INCREMENTATION OUTPUT', '', '', 'use *ENERGY PRINT', &
+      role_idle), &
+      foreign_word_t('SECTION PRINT|SECTION FILE|INTEGRATED OUTPUT|INTEGRATED OUTPUT SECTION', '', '', &
+      'use *EL PRINT with SF, or *NODE PRINT with RF and TOTALS=ONLY', &
+      role_idle)]
 
    !> Parameters
    type(foreign_word_t), parameter :: of_parameters(*) = [ &
@@ -103,9 +123,14 @@ module litz_foreign_words
       foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
       ' instances'), &
-      foreign_word_t('NSET|ELSET', 'INTERNAL|UNSORTED', '', 'leave it out'), &
-      foreign_word_t('BEAM SECTION', 'TEMPERATURE|POISSON|ROTARY INERTIA', '', &
-      'leave it out'), &
+      foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
+      'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'POISSON|LUMPED', '', 'leave it out: sections do not'// &
+      ' change as wires are stretched', &
+      role_idle), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'OFFSET1|OFFSET2|ORIENTATION|NODAL THICKNESS', '', &
+      'the axis of a wire passes through its nodes: move these'), &
       foreign_word_t('ELASTIC|EXPANSION|ELECTRICAL CONDUCTIVITY', 'DEPENDENCIES|MODULI|USER', '', 'leave it out:'// &
       ' material data may depend on temperature alone'), &
       foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
@@ -128,12 +153,16 @@ module litz_foreign_words
       foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction'), &
       foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
       foreign_word_t('NODE PRINT|EL PRINT|ENERGY PRINT|CONTACT PRINT', 'FREQUENCY|FREQUENCYF|TIME POINTS|SUMMARY|'// &
-      'GLOBAL|POSITION', '', 'leave it out: every increment is written, in global axes'), &
+      'GLOBAL|POSITION', '', 'leave it out: every increment is written, in global axes', &
+      role_idle), &
       foreign_word_t('NODE FILE|EL FILE', 'OUTPUT|NSET|ELSET|GLOBAL|SECTION FORCES|POSITION|TIME POINTS|'// &
-      'FREQUENCYF|CONTACT ELEMENTS', '', 'leave it out: all fields of all nodes and elements are written'), &
+      'FREQUENCYF|CONTACT ELEMENTS|CONTACT ELEMENT|LAST ITERATIONS', '', 'leave it out: all fields of all nodes'// &
+      ' and elements are written', &
+      role_idle), &
       foreign_word_t('RESTART', 'READ|STEP|INCREMENT|ITERATION', '', 'continue a run with `litz run DECK.inp'// &
       ' --restart FILE.restart.h5[:STEP:INCREMENT] -o DIR`'), &
-      foreign_word_t('RESTART', 'OVERLAY|NUMBER INTERVAL|TIME MARKS', '', 'leave it out'), &
+      foreign_word_t('RESTART', 'OVERLAY|NUMBER INTERVAL|TIME MARKS', '', 'leave it out', &
+      role_idle), &
       foreign_word_t('CONTROLS', 'RESET|ANALYSIS', '', 'leave it out')]
 
    !> Values of parameters and of data lines
@@ -145,25 +174,39 @@ module litz_foreign_words
       foreign_word_t('ELEMENT', 'TYPE', 'B21|B21H|B22|B22H|B23|B23H', 'models are three-dimensional: use B31 or'// &
       ' B33, and prescribe 3, 4 and 5 to keep the model in its plane'), &
       foreign_word_t('ELEMENT', 'TYPE', 'T3D2|T3D3|T2D2|SPRINGA|SPRING1|SPRING2|CONN3D2', 'use a thin beam'), &
-      foreign_word_t('BEAM SECTION', 'SECTION', 'PIPE|RECT|BOX|I|L|HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW', &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW'// &
+      '|MESHED|NONLINEAR GENERAL', &
       'use GENERAL with A, I11, I12, I22, J, and CONTACT RADIUS where it touches'), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'L|ANGLE', 'n1 and n2 are not its principal'// &
+      ' axes,'// &
+      ' and its shear centre is beside its centroid, where beams of litz have it'), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'CIRC+', 'as in Abaqus it is the radius: two'// &
+      ' values are diameters,'// &
+      ' as in CalculiX; write half of them as the radius, or `litz convert THIS.inp NEW.inp --dialect ccx`'), &
       foreign_word_t('ELASTIC', 'TYPE', 'ENGINEERING CONSTANTS|ORTHOTROPIC|ANISOTROPIC|ORTHO|ANISO|LAMINA', &
       'give E along the wire, and Poisson''s ratio'), &
       foreign_word_t('SURFACE BEHAVIOR', 'PRESSURE-OVERCLOSURE', 'HARD|EXPONENTIAL|TABULAR|TIED|SCALE FACTOR', &
       'HERTZ needs no data, LINEAR a penalty'), &
       foreign_word_t('GAP ELECTRICAL CONDUCTANCE', 'LAW', 'CMY|ELASTIC ROUGH', &
       'it is a law per area, of the kernels for surfaces, and wires touch in spots: CLUSTER has many'), &
-      foreign_word_t('BOUNDARY', '', 'XSYMM', 'write 1, 5 and 6, a line each'), &
-      foreign_word_t('BOUNDARY', '', 'YSYMM', 'write 2, 4 and 6, a line each'), &
-      foreign_word_t('BOUNDARY', '', 'ZSYMM', 'write 3, 4 and 5, a line each'), &
-      foreign_word_t('BOUNDARY', '', 'XASYMM', 'write 2, 3 and 4, a line each'), &
-      foreign_word_t('BOUNDARY', '', 'YASYMM', 'write 1, 3 and 5, a line each'), &
-      foreign_word_t('BOUNDARY', '', 'ZASYMM', 'write 1, 2 and 6, a line each'), &
-      foreign_word_t('NODE PRINT', '', 'U1|U2|U3|UR1|UR2|UR3|RF1|RF2|RF3|RM1|RM2|RM3|CF1|CF2|CF3|CM1|CM2|CM3', &
-      'all three components are written: use U, UR, RF, RM, CF or CM'), &
-      foreign_word_t('EL PRINT', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them'), &
-      foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|ME|ZZS|NOE|ERR', &
-      'beams have section forces (SF), no stresses or strains'), &
+      foreign_word_t('NODE PRINT|NODE FILE', '', 'U1|U2|U3|UR1|UR2|UR3|RF1|RF2|RF3|RM1|RM2|RM3|CF1|CF2|CF3|CM1'// &
+      '|CM2|CM3', &
+      'all three components are written: use U, UR, RF, RM, CF or CM', &
+      role_idle), &
+      foreign_word_t('EL PRINT|EL FILE', '', 'SF1|SF2|SF3|SM1|SM2|SM3|SM', 'SF has forces and moments, all of them', &
+      role_idle), &
+      foreign_word_t('NODE FILE|EL FILE|EL PRINT', '', 'S|E|LE|EE|PE|PEEQ|ENER|MISES|ME|ZZS|NOE|ERR|THE|CEEQ|SDV|'// &
+      'MAXS|MAXE|SINV|SP|EP|PEMAG|ALPHA|CE|SVF', &
+      'beams have section forces (SF), and the extreme strains and stresses of fibres (E11, S11)', &
+      role_idle), &
+      foreign_word_t('EL PRINT|EL FILE', '', 'ELSE|ELKE|EVOL|EMAS|COORD|CENT|EBHE|ELEN|ELEDEN|TEMP|HFLF|HER|SPOS'// &
+      '|SNEG|SMID|'// &
+      'NFORC|ESF1|SJP|PHS|ECD|EMFB|EMFE|MDST|FV', 'ask for SF, SE or SK, or leave it out', &
+      role_idle), &
+      foreign_word_t('NODE PRINT|NODE FILE', '', 'V|A|COORD|COOR1|COOR2|COOR3|TF|VF|POR|POT|PNT|PRF|PU|MAXU|SEN'// &
+      '|TT|TS|PT|PS|'// &
+      'CP|MACH|MF|DTF|TURB|TTF|TSF|HCRI|KEQ|RT|TM|PHID', 'ask for U, UR, RF, RM, CF or CM, or leave it out', &
+      role_idle), &
       foreign_word_t('ELASTIC|EXPANSION', '', '+', 'material data depend on temperature alone'), &
       foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
@@ -190,8 +233,32 @@ contains
       !> Value of the parameter, or of a data line (`+`: more values than litz takes); empty: none
       character(len=*), intent(in), optional :: value
       character(len=:), allocatable :: advice
+      type(foreign_word_t) :: word
 
-      advice = ''
+      word = row_of(keyword, parameter, value)
+      advice = trim(word%advice)
+   end function advice_about
+
+   !> What the word is about, one of `role_...`; the model where nothing is known about it.
+   pure integer function role_of(keyword, parameter, value) result(role)
+      !> The keyword in any case
+      character(len=*), intent(in) :: keyword
+      !> Parameter of the keyword, and its value or that of a data line; as for `advice_about`
+      character(len=*), intent(in), optional :: parameter, value
+      type(foreign_word_t) :: word
+
+      word = row_of(keyword, parameter, value)
+      role = word%role
+   end function role_of
+
+   !> The row of the table that has the word; one without advice where there is none.
+   pure type(foreign_word_t) function row_of(keyword, parameter, value) result(row)
+      !> The keyword in any case
+      character(len=*), intent(in) :: keyword
+      !> Parameter of the keyword, and its value or that of a data line; as for `advice_about`
+      character(len=*), intent(in), optional :: parameter, value
+
+      row = foreign_word_t('', '', '', '')
       if (present(parameter) .or. present(value)) then
          call look_in(of_parameters)
          call look_in(of_values)
@@ -207,13 +274,28 @@ contains
          integer :: i
 
          do i = 1, size(words)
-            if (len(advice) > 0) return
+            if (len_trim(row%advice) > 0) return
             if (is_one_of(words(i)%keywords, keyword) .and. fits(words(i)%parameters, parameter) .and. &
-               fits(words(i)%values, value)) advice = trim(words(i)%advice)
+               fits(words(i)%values, value)) row = words(i)
          end do
       end subroutine look_in
 
-   end function advice_about
+   end function row_of
+
+   !> What to do about more values than a data line takes, or an empty string.
+   pure function advice_about_more(keyword, choice) result(advice)
+      !> The keyword in any case
+      character(len=*), intent(in) :: keyword
+      !> `PARAMETER=VALUE` with which the line takes that many, or empty
+      character(len=*), intent(in) :: choice
+      character(len=:), allocatable :: advice
+      integer :: equals
+
+      equals = index(choice, '=')
+      advice = ''
+      if (equals > 0) advice = advice_about(keyword, choice(:equals - 1), trim(choice(equals + 1:))//'+')
+      if (len(advice) == 0) advice = advice_about(keyword, value='+')
+   end function advice_about_more
 
    !> A keyword that litz lacks, as the table spells it; empty when it is none.
    pure function foreign_keyword(name) result(keyword)

@@ -227,18 +227,21 @@ contains
       if (present(default)) spec%default = default
    end function number
 
-   !> A whole number of at least 1.
-   pure type(parameter_spec_t) function count_of(name, help, default) result(spec)
+   !> A whole number of at least 1, or with another limit.
+   pure type(parameter_spec_t) function count_of(name, help, default, limit) result(spec)
       !> Name in the reference and in messages
       character(len=*), intent(in) :: name
       !> What it means, for the reference and for messages
       character(len=*), intent(in) :: help
       !> Value that holds where there is none
       character(len=*), intent(in) :: default
+      !> What the number must satisfy, one of `limit_...`
+      integer, intent(in), optional :: limit
 
       spec%name = name
       spec%kind = kind_integer
       spec%limit = limit_positive
+      if (present(limit)) spec%limit = limit
       spec%help = help
       spec%default = default
    end function count_of

@@ -99,10 +99,14 @@ contains
    pure function foreign_form(word) result(form)
       type(foreign_word_t), intent(in) :: word
       character(len=:), allocatable :: form
+      integer :: plus
 
       form = listed(word%keywords, '*')
+      plus = index(word%values, '+')
       if (len_trim(word%values) == 0) then
          if (len_trim(word%parameters) > 0) form = form//': '//listed(word%parameters, '')
+      else if (plus > 1) then
+         form = form//', '//listed(word%values(:plus - 1), trim(word%parameters)//'=')//': more data'
       else if (len_trim(word%parameters) > 0) then
          form = form//': '//listed(word%values, trim(word%parameters)//'=')
       else if (word%values == '+') then

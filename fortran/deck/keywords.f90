@@ -81,6 +81,8 @@ module litz_keywords
       integer :: place = place_model
       !> The keyword it belongs to and must follow, or empty
       character(len=32) :: after = ''
+      !> The keyword that it stands for to those that belong to that one, or empty
+      character(len=32) :: counts_as = ''
       type(parameter_spec_t), allocatable :: parameters(:)
       type(data_spec_t), allocatable :: data(:)
       character(len=help_length) :: help = ''

@@ -4,11 +4,12 @@ module litz_model_keywords
    use litz_critical_law, only: critical_choices
    use litz_fields, only: field_potential, field_temperature, dof_range, n_fields
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, place_both, limit_none, &
-      limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_one, parameter_spec_t
+      limit_positive, limit_not_negative, limit_poisson, limit_one, parameter_spec_t
    use litz_keyword_builders, only: begin, finish, integer_field, real_field, dofs_of, name_field, item_field, &
       text_field, flag, choice, name, item, number, count_of, file
    use litz_law_words, only: law_words_t
    use litz_normal_laws, only: all_normal_laws
+   use litz_section_keywords, only: add_sections
    use litz_heat_law, only: all_heat_laws
    use litz_spot_laws, only: all_spot_laws
    use litz_stick_laws, only: stick_laws
@@ -85,13 +86,13 @@ contains
          'Defines a node set, or adds members to it. A set must be defined before it is used in'// &
          ' another set.')
       call k%add(name('NSET', 'name of the set', required=.true.))
-      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
+      call add_set_flags(k)
       call add_set_data(k, 'node')
       call finish(table, k)
 
       call begin(k, 'ELSET', place_model, 'Defines an element set, or adds members to it.')
       call k%add(name('ELSET', 'name of the set', required=.true.))
-      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
+      call add_set_flags(k)
       call add_set_data(k, 'element')
       call finish(table, k)
    end subroutine add_mesh
@@ -137,6 +138,13 @@ contains
          real_field('value', 'K', 'temperature')], last=0)
       call finish(table, k)
    end subroutine add_initial_values
+
+   pure subroutine add_set_flags(k)
+      type(keyword_t), intent(inout) :: k
+
+      call k%add(flag('GENERATE', 'data lines are ranges: first, last, step'))
+      call k%add(flag('INTERNAL', 'accepted: Abaqus/CAE marks sets of its own by it'))
+   end subroutine add_set_flags
 
    pure subroutine add_set_data(k, what)
       type(keyword_t), intent(inout) :: k
@@ -271,29 +279,7 @@ contains
 
       call add_superconductor(table)
       call add_storage(table, of_temperature)
-      call begin(k, 'BEAM SECTION', place_model, &
-         'Cross-section and material of all elements of a set. Every element has'// &
-         ' exactly one. CIRC: solid round wire, shear factor 6(1+nu)/(7+6nu). GENERAL: given'// &
-         ' stiffnesses, shear factor 1.')
-      call k%add(name('ELSET', 'the elements', required=.true.))
-      call k%add(name('MATERIAL', 'their material', required=.true.))
-      call k%add(choice('SECTION', 'CIRC|GENERAL', 'shape of the cross-section', required=.true.))
-      call k%add(number('CONTACT RADIUS', &
-         'radius of the round contact surface [m]; CIRC: the radius when'// &
-         ' left out; GENERAL: needed for elements in a contact pair', limit_positive))
-      call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
-         'length used for the resistance of an element (litz extension)', default='REFERENCE LENGTH'))
-      call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
-      call k%add_data([real_field('A', 'm^2', 'area', limit_positive), &
-         real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
-         real_field('I12', 'm^4', 'n1 and n2 are principal axes', limit_zero), &
-         real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
-         real_field('J', 'm^4', 'torsion constant', limit_positive)], when='SECTION=GENERAL')
-      call k%add_data([real_field('n1x', '-', 'direction of the first axis n1; chosen by litz without this line'), &
-         real_field('n1y', '-', 'its second component'), real_field('n1z', '-', 'its third component')], first=2, &
-         required=.false.)
-      call finish(table, k)
-
+      call add_sections(table)
       call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &
          'Shear stiffnesses of B31 elements, replacing those of'// &
          ' the section.', after='BEAM SECTION')
@@ -320,6 +306,8 @@ contains
       call k%add(choice('AXIS', 'HERMITE|LINEAR', 'interpolation of the wire axes for contact (litz extension);'// &
          ' LINEAR has a kink at each node of a bent wire', &
          default='HERMITE'))
+      call k%add_data([real_field('thickness', 'm', 'accepted: Abaqus asks for it in two dimensions', limit_positive, &
+         required=.false.)], required=.false.)
       call finish(table, k)
 
       call begin(k, 'SURFACE BEHAVIOR', place_model, 'Contact force over penetration.'// &

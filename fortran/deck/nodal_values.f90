@@ -108,7 +108,9 @@ contains
       integer, intent(in) :: card
       type(value_list_t), intent(inout) :: list
       type(token_t) :: amplitude_name
-      integer :: line, amplitude, first, last, node, set
+      integer :: line, amplitude, node, set, i
+      !> First and last degree of freedom of each range that a line names (2, n)
+      integer, allocatable :: dofs(:, :)
       logical :: ok
 
       if (list%kind /= kind_initial) call apply_op(self, card, list)
@@ -121,16 +123,20 @@ contains
          call read_line(self, card, line, ok)
          if (.not. ok) cycle
          call find_item(self, 'node', self%node_sets, self%nodes, 1, node, set)
-         call find_dofs(self, list%kind, first, last, ok)
+         call find_dofs(self, list%kind, dofs, ok)
          if (.not. ok) cycle
          if (list%model_part .and. list%kind == kind_boundary .and. abs(self%values%real(4)) > 0) then
             call fail_at(self, self%values%token(4), 'before the first step only zero values can be prescribed; '// &
                'put this *BOUNDARY into a step')
-         else if (node > 0) then
-            call set_values(self, model, list, [node], first, last, amplitude)
-         else if (set > 0) then
-            call set_values(self, model, list, model%node_sets(set)%members, first, last, amplitude)
+            cycle
          end if
+         do i = 1, size(dofs, 2)
+            if (node > 0) then
+               call set_values(self, model, list, [node], dofs(1, i), dofs(2, i), amplitude)
+            else if (set > 0) then
+               call set_values(self, model, list, model%node_sets(set)%members, dofs(1, i), dofs(2, i), amplitude)
+            end if
+         end do
       end do
    end subroutine read_nodal_values
 
@@ -172,27 +178,66 @@ contains
    end function field_of_load
 
    !> The degrees of freedom that the line names.
-   subroutine find_dofs(self, kind, first, last, ok)
+   subroutine find_dofs(self, kind, dofs, ok)
       type(reader_t), intent(inout) :: self
       !> One of `kind_...`, or the first field of which these are the loads
       integer, intent(in) :: kind
-      !> First and last degree of freedom, with Abaqus's numbers
-      integer, intent(out) :: first, last
+      !> First and last of each range, with Abaqus's numbers (2, n)
+      integer, allocatable, intent(out) :: dofs(:, :)
       !> .false.: an error was reported
       logical, intent(out) :: ok
 
+      dofs = reshape([dof_temperature, dof_temperature], [2, 1])
+      ok = .true.
       select case (kind)
       case (kind_boundary)
-         call find_boundary_dofs(self, first, last, ok)
+         call find_supports(self, dofs, ok)
+         if (size(dofs) == 0) then
+            dofs = reshape([0, 0], [2, 1])
+            call find_boundary_dofs(self, dofs(1, 1), dofs(2, 1), ok)
+         end if
       case (kind_temperature, kind_initial)
-         first = dof_temperature
-         last = first
-         ok = .true.
+         continue
       case default
-         call find_load_dof(self, kind, first, ok)
-         last = first
+         call find_load_dof(self, kind, dofs(1, 1), ok)
+         dofs(2, 1) = dofs(1, 1)
       end select
    end subroutine find_dofs
+
+   !> Supports with a name: what they prescribe to be zero, first and last of each range; none where no name is given.
+   subroutine find_supports(self, dofs, ok)
+      type(reader_t), intent(inout) :: self
+      !> First and last of each range (2, n)
+      integer, allocatable, intent(out) :: dofs(:, :)
+      !> .false.: an error was reported
+      logical, intent(out) :: ok
+
+      associate (values => self%values)
+         select case (name_of(self, values%token(2)))
+         case ('ENCASTRE')
+            dofs = reshape([1, last_dof(field_rotation)], [2, 1])
+         case ('PINNED')
+            dofs = reshape([1, last_dof(field_displacement)], [2, 1])
+         case ('XSYMM')
+            dofs = reshape([1, 1, 5, 6], [2, 2])
+         case ('YSYMM')
+            dofs = reshape([2, 2, 4, 4, 6, 6], [2, 3])
+         case ('ZSYMM')
+            dofs = reshape([3, 5], [2, 1])
+         case ('XASYMM')
+            dofs = reshape([2, 4], [2, 1])
+         case ('YASYMM')
+            dofs = reshape([1, 1, 3, 3, 5, 5], [2, 3])
+         case ('ZASYMM')
+            dofs = reshape([1, 2, 6, 6], [2, 2])
+         case default
+            allocate (dofs(2, 0))
+         end select
+         ok = size(dofs) == 0 .or. values%n == 2
+         if (.not. ok) call fail_at(self, values%token(3), 'nothing follows '//self%deck%text(values%token(2))// &
+            ', which prescribes zero values')
+      end associate
+   end subroutine find_supports
 
    !> Place of the value on a data line.
    pure integer function place_of_value(kind) result(place)
@@ -251,23 +296,12 @@ contains
       last = 0
       ok = .true.
       associate (values => self%values)
-         select case (name_of(self, values%token(2)))
-         case ('ENCASTRE')
-            last = last_dof(field_rotation)
-         case ('PINNED')
-            last = last_dof(field_displacement)
-         end select
-         if (last > 0) then
-            ok = values%n == 2
-            if (.not. ok) call fail_at(self, values%token(3), 'nothing follows '//self%deck%text(values%token(2))// &
-               ', which prescribes zero values')
-            return
-         end if
          call parse_integer(self%deck%text(values%token(2)), first, status)
          if (status /= number_ok) then
             ok = .false.
             call fail_at(self, values%token(2), &
-               'value 2 must be ENCASTRE, PINNED or a degree of freedom: '//describe_dofs('or')//'; found '// &
+               'value 2 must be ENCASTRE, PINNED, XSYMM, ..., or a degree of freedom: '//describe_dofs('or')// &
+               '; found '// &
                self%deck%shown(values%token(2))//behind_semicolon(advice_about_value(self, values%token(2))))
             return
          end if

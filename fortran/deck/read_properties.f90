@@ -1,24 +1,18 @@
-!> *MATERIAL, *BEAM SECTION and *AMPLITUDE with what belongs to them.
+!> *MATERIAL and *AMPLITUDE with what belongs to them.
 module litz_read_properties
-   use litz_kinds, only: dp, pi
+   use litz_kinds, only: dp
    use litz_critical_law, only: superconductor_t
    use litz_text, only: to_text
    use litz_deck, only: token_t
-   use litz_model, only: model_t, section_t, shear_given, shear_round, shear_unreduced
-   use litz_section_stiffness, only: shear_stiffness
-   use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, &
-      real_parameter, n_cards_of
-   use litz_data_lines, only: read_line
-   use litz_definitions, only: add_definition, find_definition
-   use litz_rotations, only: cross
+   use litz_model, only: model_t
+   use litz_reader, only: reader_t, definitions_t, fail_at, parameter_of, choice_of, keyword_of, real_parameter, &
+      n_cards_of, may_be_used
+   use litz_data_lines, only: read_line, read_only_line
+   use litz_definitions, only: add_definition
    use litz_read_superconductor, only: read_superconductor
-   use litz_sets, only: find_set
    implicit none
    private
-   public :: read_materials, read_sections, read_amplitudes, report_unused
-
-   !> Sine of the angle below which an axis counts as parallel to an element
-   real(dp), parameter :: parallel = 1.0e-4_dp
+   public :: read_materials, read_amplitudes, report_unused
 
 contains
 
@@ -224,205 +218,6 @@ contains
       if (token%last >= token%first) call add_definition(self, definitions, what, token, index)
    end subroutine add_named
 
-   !> The first data line of a card; `ok` is .false. when there is none.
-   subroutine read_only_line(self, card, ok)
-      type(reader_t), intent(inout) :: self
-      !> Index of the card
-      integer, intent(in) :: card
-      !> .false.: there is no line, or something about it was reported
-      logical, intent(out) :: ok
-
-      ok = self%deck%cards(card)%last_data >= self%deck%cards(card)%first_data
-      if (ok) call read_line(self, card, self%deck%cards(card)%first_data, ok)
-   end subroutine read_only_line
-
-   !> Sections, and the section of every element.
-   subroutine read_sections(self, model)
-      type(reader_t), intent(inout) :: self
-      type(model_t), intent(inout) :: model
-      !> Line of the *BEAM SECTION of each section
-      integer, allocatable :: section_line(:)
-      integer :: card, n
-      logical :: ok
-
-      allocate (model%sections(n_cards_of(self, 'BEAM SECTION')), section_line(n_cards_of(self, 'BEAM SECTION')))
-      allocate (model%element_section(model%n_elements), source=0)
-      n = 0
-      do card = 1, self%deck%n_cards
-         select case (keyword_of(self, card))
-         case ('BEAM SECTION')
-            n = n + 1
-            section_line(n) = self%deck%cards(card)%name%line
-            call read_section(self, model, card, model%sections(n))
-            call assign_section(self, model, card, n, section_line)
-         case ('TRANSVERSE SHEAR STIFFNESS')
-            call read_only_line(self, card, ok)
-            if (.not. ok .or. n == 0) cycle
-            model%sections(n)%ga2 = self%values%real(1)
-            model%sections(n)%ga3 = self%values%real(2)
-            model%sections(n)%shear = shear_given
-         end select
-      end do
-      call report_bare_elements(self, model)
-   end subroutine read_sections
-
-   subroutine read_section(self, model, card, section)
-      type(reader_t), intent(inout) :: self
-      type(model_t), intent(in) :: model
-      !> Index of the card
-      integer, intent(in) :: card
-      type(section_t), intent(inout) :: section
-      type(token_t) :: name
-      logical :: ok
-
-      section%element_set = ''
-      call find_definition(self, self%materials, 'material', parameter_of(self, card, 'MATERIAL'), section%material)
-      section%current_length = choice_of(self, card, 'CONDUCTION') == 'CURRENTLENGTH'
-      call read_only_line(self, card, ok)
-      if (ok .and. section%material > 0) then
-         associate (material => model%materials(section%material))
-            select case (choice_of(self, card, 'SECTION'))
-            case ('CIRC')
-               call set_circular(section, self%values%real(1), material%young, material%poisson)
-            case ('GENERAL')
-               call set_general(section, self%values%real(1:5), material%young, material%poisson)
-            end select
-         end associate
-      end if
-      section%contact_radius = real_parameter(self, card, 'CONTACT RADIUS', section%contact_radius)
-      ! a wrong radius was reported; here it only must not look like none
-      if (has_flag(self, card, 'CONTACT RADIUS') .and. .not. section%contact_radius > 0) section%contact_radius = 1
-      name = parameter_of(self, card, 'ELSET')
-      if (name%last < name%first) self%missed_section = .true.
-   end subroutine read_section
-
-   !> Solid round wire.
-   pure subroutine set_circular(section, radius, young, poisson)
-      type(section_t), intent(inout) :: section
-      !> Radius of the wire [m]
-      real(dp), intent(in) :: radius
-      !> Young's modulus [Pa]
-      real(dp), intent(in) :: young
-      !> Poisson's ratio [-]
-      real(dp), intent(in) :: poisson
-
-      section%contact_radius = radius
-      section%area = pi*radius**2
-      section%i2 = pi*radius**4/4
-      section%i3 = section%i2
-      section%j = pi*radius**4/2
-      section%shear = shear_round
-      section%ga2 = shear_stiffness(section, young, poisson)
-      section%ga3 = section%ga2
-   end subroutine set_circular
-
-   !> Section of given stiffnesses; shear is not reduced.
-   pure subroutine set_general(section, data, young, poisson)
-      type(section_t), intent(inout) :: section
-      !> A [m^2], I11, I12, I22, J [m^4]
-      real(dp), intent(in) :: data(5)
-      !> Young's modulus [Pa]
-      real(dp), intent(in) :: young
-      !> Poisson's ratio [-]
-      real(dp), intent(in) :: poisson
-
-      section%area = data(1)
-      section%i2 = data(2)
-      section%i3 = data(4)
-      section%j = data(5)
-      section%shear = shear_unreduced
-      section%ga2 = shear_stiffness(section, young, poisson)
-      section%ga3 = section%ga2
-   end subroutine set_general
-
-   !> Give the section to the elements of its set, and check its axis n1 against them.
-   subroutine assign_section(self, model, card, section, section_line)
-      type(reader_t), intent(inout) :: self
-      type(model_t), intent(inout) :: model
-      !> Index of the card
-      integer, intent(in) :: card
-      !> Index of the section
-      integer, intent(in) :: section
-      !> Line of the deck that defines each section (sections)
-      integer, intent(in) :: section_line(:)
-      integer :: set, i, n_twice
-      logical :: ok
-
-      call find_set(self, 'element', self%element_sets, parameter_of(self, card, 'ELSET'), set)
-      if (set == 0) then
-         self%missed_section = .true.
-         return
-      end if
-      n_twice = 0
-      model%sections(section)%element_set = model%element_sets(set)%name
-      associate (members => model%element_sets(set)%members, this => self%deck%cards(card))
-         do i = 1, size(members)
-            associate (old => model%element_section(members(i)))
-               if (old > 0) then
-                  n_twice = n_twice + 1
-                  if (n_twice == 1) call fail_at(self, parameter_of(self, card, 'ELSET'), 'element '// &
-                     to_text(model%element_id(members(i)))//' has two sections; the first one is in '// &
-                     self%deck%place(section_line(old)))
-               end if
-               old = section
-            end associate
-         end do
-         if (this%last_data <= this%first_data) return
-         call read_line(self, card, this%first_data + 1, ok)
-         if (ok) call check_axis(self, model, members, this%first_data + 1, model%sections(section)%n1)
-      end associate
-   end subroutine assign_section
-
-   !> n1 must not be parallel to any element of the section.
-   subroutine check_axis(self, model, members, line, n1)
-      type(reader_t), intent(inout) :: self
-      type(model_t), intent(in) :: model
-      !> Indices of the elements (n)
-      integer, intent(in) :: members(:)
-      !> Index of the line that gives n1
-      integer, intent(in) :: line
-      !> First section axis, of any length
-      real(dp), intent(out) :: n1(3)
-      real(dp) :: chord(3)
-      integer :: i
-
-      n1 = self%values%real(1:3)
-      if (.not. norm2(n1) > 0) then
-         call fail_at(self, self%deck%line_token(line), 'the first section axis n1 is zero; give a direction')
-         return
-      end if
-      do i = 1, size(members)
-         associate (node => model%connectivity(:, members(i)))
-            if (any(node == 0)) cycle
-            chord = model%x(:, node(2)) - model%x(:, node(1))
-         end associate
-         ! elements without length were reported
-         if (.not. norm2(chord) > 0) cycle
-         if (norm2(cross(chord/norm2(chord), n1/norm2(n1))) > parallel) cycle
-         call fail_at(self, self%deck%line_token(line), 'the first section axis n1 is parallel to element '// &
-            to_text(model%element_id(members(i)))//'; it must be across the wire')
-         return
-      end do
-   end subroutine check_axis
-
-   !> Elements that no section names: one error for all of them.
-   subroutine report_bare_elements(self, model)
-      type(reader_t), intent(inout) :: self
-      type(model_t), intent(in) :: model
-      character(len=:), allocatable :: others
-      integer :: n, first
-
-      if (self%missed_section) return
-      n = count(model%element_section == 0)
-      if (n == 0) return
-      first = findloc(model%element_section, 0, 1)
-      others = ''
-      if (n > 1) others = ', nor have '//to_text(n - 1)//' others'
-      call fail_at(self, self%deck%line_token(self%element_line(first)), 'element '// &
-         to_text(model%element_id(first))// &
-         ' has no *BEAM SECTION'//others)
-   end subroutine report_bare_elements
-
    subroutine read_amplitudes(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
@@ -485,7 +280,7 @@ contains
 
       if (definitions%missed) return
       do i = 1, definitions%names%n
-         if (definitions%used(i)) cycle
+         if (definitions%used(i) .or. may_be_used(self, definitions%names%name(i))) cycle
          call fail_at(self, definitions%token(i), 'the '//what//' '//definitions%names%name(i)// &
             ' is defined but never used; use it or remove it')
       end do

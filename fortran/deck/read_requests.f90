@@ -7,7 +7,8 @@ module litz_read_requests
    use litz_deck, only: token_t
    use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
       request_electrode, request_energy
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, integer_parameter, keyword_of, name_of
+   use litz_reader, only: reader_t, fail_at, warn_of_idle, parameter_of, choice_of, integer_parameter, keyword_of, &
+      name_of
    use litz_result_quantities, only: asks_for_sections
    use litz_data_lines, only: read_line
    use litz_sets, only: find_set
@@ -103,9 +104,13 @@ contains
       character(len=*), intent(in) :: parameter
       type(request_list_t), intent(inout) :: list
       type(output_request_t), intent(inout) :: request
+      type(token_t) :: token
       integer :: line
       logical :: ok
 
+      token = parameter_of(self, card, parameter)
+      if (token%line == 0) call warn_of_idle(self, card, self%deck%cards(card)%name, '*'//keyword_of(self, card)// &
+         ' has no '//parameter//': fields of the whole model are always in the result file')
       if (parameter == 'NSET') then
          call find_set(self, 'node', self%node_sets, parameter_of(self, card, parameter), request%set)
       else

@@ -5,9 +5,10 @@ module litz_read_steps
    use litz_growing_text, only: growing_text_t
    use litz_deck, only: token_t
    use litz_fields, only: fields, n_fields, field_displacement, field_temperature, field_of_dof, group_mechanical
-   use litz_foreign_words, only: advice_about
+   use litz_foreign_words, only: role_of, role_procedure
    use litz_model, only: model_t, step_t, solved_by_heat, solved_by_all
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, integer_parameter, real_parameter, &
+   use litz_reader, only: reader_t, fail_at, warn_at, parameter_of, choice_of, has_flag, integer_parameter, &
+      real_parameter, &
       keyword_of, name_of, n_cards_of
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
@@ -102,7 +103,7 @@ contains
          case ('')
             ! one that has been reported already, such as *DYNAMIC
             so_far%has_procedure = so_far%has_procedure .or. &
-               index(advice_about(self%deck%text(self%deck%cards(card)%name)), 'use *STATIC') > 0
+               role_of(self%deck%text(self%deck%cards(card)%name)) == role_procedure
          case ('STATIC', 'COUPLED THERMAL-ELECTRICAL', 'COUPLED TEMPERATURE-DISPLACEMENT')
             call read_procedure(self, model, card, so_far)
          case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ENERGY PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
@@ -181,6 +182,7 @@ contains
             this%reform_kernel = model%steps(step - 1)%reform_kernel
             this%output_frequency = model%steps(step - 1)%output_frequency
             this%restart_frequency = model%steps(step - 1)%restart_frequency
+            this%nlgeom = model%steps(step - 1)%nlgeom
             previous_total = model%steps(step - 1)%total
          end if
          call begin_step(so_far%boundary, model, previous_total)
@@ -295,8 +297,9 @@ contains
       ! the first word has no blank before it
       step%title = step%title(2:)
       step%max_increments = integer_parameter(self, card, 'INC', step%max_increments)
-      if (choice_of(self, card, 'NLGEOM') == 'NO') call fail_at(self, parameter_of(self, card, 'NLGEOM'), &
-         'NLGEOM=NO is not possible: litz always takes large displacements into account; leave it out')
+      step%nlgeom = step%nlgeom .or. has_flag(self, card, 'NLGEOM')
+      if (choice_of(self, card, 'NLGEOM') == 'NO') call warn_at(self, parameter_of(self, card, 'NLGEOM'), &
+         'large_displacements', 'NLGEOM=NO is not possible: litz takes large displacements into account in every step')
    end subroutine read_step_line
 
    !> *STATIC or *COUPLED THERMAL-ELECTRICAL

@@ -2,17 +2,17 @@
 !> the parameters of the cards.
 module litz_reader
    use litz_kinds, only: dp
-   use litz_errors, only: error_list_t
+   use litz_errors, only: error_t, error_list_t
    use litz_text, only: upper, squeezed, words_of, word_length
    use litz_numbers, only: parse_integer, parse_real, number_ok
    use litz_lookup, only: id_map_t, name_map_t
    use litz_deck, only: deck_t, token_t, no_token
-   use litz_keywords, only: keyword_table_t, data_spec_t, kind_flag
+   use litz_keywords, only: keyword_table_t, data_spec_t, kind_flag, within_limit
    implicit none
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
-   public :: fail_at, applies, has_choice, names_hint, name_of, parameter_of, has_flag, choice_of, real_parameter, &
-      integer_parameter, keyword_of, n_cards_of, may_be_defined
+   public :: fail_at, warn_at, warn_of_idle, applies, has_choice, names_hint, name_of, parameter_of, has_flag, &
+      choice_of, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used
 
    !> After this many errors no more hints are searched for
    integer, parameter :: max_hints = 100
@@ -37,8 +37,8 @@ module litz_reader
       integer :: n = 0
       !> A set that each node or element is a member of; the one being filled, for all its members. 0: none
       integer, allocatable :: put_into(:)
-      !> There was no memory for all members
-      logical :: is_full = .false.
+      !> There was no memory for all members; the name of some set is a whole number
+      logical :: is_full = .false., has_numbers = .false.
    end type set_builder_t
 
    !> Names of materials, amplitudes or interactions, with the line of each and whether anything refers to it.
@@ -52,7 +52,11 @@ module litz_reader
 
    type :: reader_t
       type(deck_t) :: deck
-      type(error_list_t) :: errors
+      type(error_list_t) :: errors, warnings
+      !> The card has a keyword that litz lacks, but that changes no result (n_cards)
+      logical, allocatable :: is_idle(:)
+      !> Something that the card says, and that changes no result, was ignored with a warning (n_cards)
+      logical, allocatable :: told(:)
       type(keyword_table_t) :: table
       !> Index into the table (n_cards), 0: not to be read; number of the step (n_cards), 0: model part
       integer, allocatable :: spec(:), step(:)
@@ -73,6 +77,8 @@ module litz_reader
       !> Some equation could not be read: a node without elements may be in it
       logical :: broken_equations = .false.
       type(set_builder_t) :: node_sets, element_sets
+      !> Kinds and names of those that are named but not defined
+      type(name_map_t) :: missing_sets
       type(definitions_t) :: materials, amplitudes, interactions, surfaces
       !> Some *BEAM SECTION names no set that exists: elements without section are follow-up errors
       logical :: missed_section = .false.
@@ -99,6 +105,39 @@ contains
          call self%errors%add(self%deck%error_at(token, message))
       end if
    end subroutine fail_at
+
+   !> Record a warning that points at a token.
+   subroutine warn_at(self, token, kind, message)
+      type(reader_t), intent(inout) :: self
+      type(token_t), intent(in) :: token
+      !> The code word
+      character(len=*), intent(in) :: kind
+      !> What was found, and what litz makes of it
+      character(len=*), intent(in) :: message
+      type(error_t) :: warning
+
+      if (self%warnings%is_full()) then
+         call self%warnings%skip()
+         return
+      end if
+      warning = self%deck%error_at(token, message)
+      warning%is_warning = .true.
+      warning%kind = kind
+      call self%warnings%add(warning)
+   end subroutine warn_at
+
+   !> Record that something that a card says is ignored, as it changes no result: once for each card.
+   subroutine warn_of_idle(self, card, token, message)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(token_t), intent(in) :: token
+      !> What was found, and what to do
+      character(len=*), intent(in) :: message
+
+      if (.not. self%told(card)) call warn_at(self, token, 'ignored', message//'; ignored')
+      self%told(card) = .true.
+   end subroutine warn_of_idle
 
    !> The keyword of a card as the table has it.
    pure function keyword_of(self, card) result(keyword)
@@ -166,12 +205,30 @@ contains
 
       may_be_defined = .false.
       do card = 1, self%deck%n_cards
-         if (self%spec(card) > 0) cycle
+         if (self%spec(card) > 0 .or. self%is_idle(card)) cycle
          defined = parameter_of(self, card, parameter)
          if (defined%line == 0) cycle
          if (name_of(self, defined) == name_of(self, token)) may_be_defined = .true.
       end do
    end function may_be_defined
+
+   !> A keyword that litz does not know has been reported: that nothing else uses the name that it gives is no news.
+   pure logical function may_be_used(self, name)
+      type(reader_t), intent(in) :: self
+      !> A definition, in capitals
+      character(len=*), intent(in) :: name
+      integer :: card, i
+
+      may_be_used = .false.
+      do card = 1, self%deck%n_cards
+         if (self%spec(card) > 0) cycle
+         associate (parameters => self%deck%cards(card)%parameters)
+            do i = 1, size(parameters)
+               if (parameters(i)%has_value) may_be_used = may_be_used .or. name_of(self, parameters(i)%value) == name
+            end do
+         end associate
+      end do
+   end function may_be_used
 
    pure logical function has_flag(self, card, name)
       type(reader_t), intent(in) :: self
@@ -232,7 +289,7 @@ contains
       if (status == number_ok) value = number
    end function real_parameter
 
-   !> All whole numbers among the parameters are at least 1.
+   !> A whole number; one beyond its limit was reported.
    pure integer function integer_parameter(self, card, name, default) result(value)
       type(reader_t), intent(in) :: self
       !> Index of the card
@@ -245,7 +302,10 @@ contains
 
       value = default
       call parse_integer(self%deck%text(parameter_of(self, card, name)), number, status)
-      if (status == number_ok .and. number > 0) value = number
+      if (status /= number_ok) return
+      associate (keyword => self%table%keywords(self%spec(card)))
+         if (within_limit(real(number, dp), keyword%parameters(keyword%find_parameter(name))%limit)) value = number
+      end associate
    end function integer_parameter
 
    ! Data lines.

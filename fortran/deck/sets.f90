@@ -6,8 +6,8 @@ module litz_sets
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
    use litz_model, only: model_t, named_set_t, name_length
-   use litz_reader, only: reader_t, set_builder_t, fail_at, parameter_of, has_flag, name_of, keyword_of, names_hint, &
-      may_be_defined
+   use litz_reader, only: reader_t, set_builder_t, fail_at, warn_at, parameter_of, has_flag, name_of, keyword_of, &
+      names_hint, may_be_defined
    use litz_data_lines, only: read_line
    implicit none
    private
@@ -46,10 +46,7 @@ contains
 
       set = 0
       call parse_integer(name, number, status)
-      if (status /= number_not_one) then
-         call fail_at(self, token, 'the name of a set must not be a number; found '//shown(name))
-         return
-      end if
+      builder%has_numbers = builder%has_numbers .or. status == number_ok
       if (len(name) > name_length) then
          call fail_at(self, token, 'the name of a set must not be longer than '//to_text(name_length)// &
             ' characters; found '//shown(name))
@@ -188,7 +185,7 @@ contains
 
       do i = 1, self%values%n
          if (.not. self%values%given(i)) cycle
-         call find_item(self, what, builder, map, i, index, other)
+         call find_item(self, what, builder, map, i, index, other, is_member=.true.)
          if (set == 0) cycle
          if (index > 0) call add_once(builder, set, index)
          if (other == 0 .or. other == set) cycle
@@ -261,7 +258,9 @@ contains
    end function is_broken
 
    !> What value `i` of the line names: an index by its number, or a set by its name. Both 0 after an error.
-   subroutine find_item(self, what, builder, map, i, index, set)
+   !> A number is that of a node or element where there is one, as in Abaqus and CalculiX, and otherwise the name of a
+   !> set.
+   subroutine find_item(self, what, builder, map, i, index, set, is_member)
       type(reader_t), intent(inout) :: self
       !> `node` or `element`
       character(len=*), intent(in) :: what
@@ -273,6 +272,8 @@ contains
       integer, intent(out) :: index
       !> Index of the set; 0: a number is named, or there is none
       integer, intent(out) :: set
+      !> It is named as a member of a set, where numbers are those of nodes or elements in any case
+      logical, intent(in), optional :: is_member
       integer :: number, status
 
       index = 0
@@ -283,8 +284,16 @@ contains
             call find_set(self, what, builder, token, set)
          else
             index = map%get(self%values%whole(i))
-            if (index == 0 .and. .not. is_broken(self, what)) call fail_at(self, token, 'there is no '//what//' '// &
-               self%deck%text(token))
+            if (builder%has_numbers) then
+               set = builder%names%get(name_of(self, token))
+               if (index > 0 .and. set > 0 .and. .not. present(is_member)) call warn_at(self, token, 'number_of_set', &
+                  self%deck%text(token)// &
+                  ' is a '//what//' and the name of a '//what//' set; it is taken as the '//what)
+               if (index > 0) set = 0
+            end if
+            if (index == 0 .and. set == 0 .and. .not. is_broken(self, what)) call fail_at(self, token, &
+               'there is no '// &
+               what//' '//self%deck%text(token))
          end if
       end associate
    end subroutine find_item
@@ -304,10 +313,20 @@ contains
       set = builder%names%get(name_of(self, token))
       if (set > 0) return
       if (may_be_defined(self, trim(merge('NSET ', 'ELSET', what == 'node')), token)) return
+      if (is_known_as_missing()) return
       call fail_at(self, token, 'there is no '//what//' set '//self%deck%shown(token)//other_kind()// &
          names_hint(self, builder%names, token))
 
    contains
+
+      !> A set that is missing is told once, however often it is named.
+      logical function is_known_as_missing() result(is_known)
+         integer :: n, i
+
+         n = self%missing_sets%n
+         call self%missing_sets%put(what//' '//name_of(self, token), i)
+         is_known = self%missing_sets%n == n
+      end function is_known_as_missing
 
       !> A set of this name, but of the other kind; or a number.
       function other_kind()

@@ -31,8 +31,8 @@ contains
          'Begins a step. Steps follow each other and keep what they do not redefine:'// &
          ' prescribed values, loads, output requests, controls, solver.')
       call k%add(name('NAME', 'name of the step'))
-      call k%add(choice('NLGEOM', 'YES|NO', 'large displacements, which litz always includes; NO is rejected', &
-         default='YES', value_optional=.true.))
+      call k%add(choice('NLGEOM', 'YES|NO', 'large displacements, which litz always takes into account; it says so'// &
+         ' where the parameter is missing, and warns where it is NO', default='YES', value_optional=.true.))
       call k%add(count_of('INC', 'maximum number of increments', '100'))
       call k%add_data([text_field('title', 'any text')], required=.false., last=0)
       call finish(table, k)
@@ -108,12 +108,15 @@ contains
       call begin(k, 'BOUNDARY', place_both, &
          'Prescribed values of degrees of freedom: '//describe_dofs('and')//'. Before the first step they must'// &
          ' be zero. ENCASTRE ('//dof_range(field_displacement, field_rotation)//') and PINNED ('// &
-         dof_range(field_displacement)//') can be given instead of numbers. All three rotations of a node are its'// &
+         dof_range(field_displacement)//') can be given instead of numbers, and the symmetries XSYMM (1, 5, 6),'// &
+         ' YSYMM'// &
+         ' (2, 4, 6), ZSYMM (3, 4, 5), XASYMM (2, 3, 4), YASYMM (1, 3, 5) and ZASYMM (1, 2, 6). All three'// &
+         ' rotations of a node are its'// &
          ' rotation vector. One or two alone are angles applied incrementally about these axes, in addition to the'// &
          ' free rotation: where that is large, the result depends on the increments.')
       call add_op(k, 'prescribed values')
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
-         dofs_of([(i, i=1, n_fields)], name_field('first', 'first degree of freedom, ENCASTRE or PINNED')), &
+         dofs_of([(i, i=1, n_fields)], name_field('first', 'first degree of freedom, or the name of a support')), &
          integer_field('last', 'last degree of freedom, the first when left out', limit_positive, required=.false.), &
          real_field('value', list_units(), 'prescribed value, 0 when left out', required=.false.)], last=0, &
          optional_with=new_alone)
@@ -168,8 +171,7 @@ contains
          ' per length current times field, across both. The current is the one that is computed in the element,'// &
          ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
          ' without the field of the wires themselves. 1 T = 1 N/(A m). Lines of a step for the same element add'// &
-         ' up. Motions and potentials are then solved for in turns, or in one Newton step with *SOLVER,'// &
-         ' COUPLING=FULL.')
+         ' up. Motions and potentials are then in one Newton step, or take turns with *SOLVER, COUPLING=UPDATED.')
       call add_op(k, 'fields')
       call k%add_data([item_field('element', 'number of an element or name of an element set'), &
          real_field('Bx', 'N/(A m)', 'field at the origin'), real_field('By', 'N/(A m)', 'field at the origin'), &
@@ -269,7 +271,7 @@ contains
       type(keyword_t) :: k
 
       call begin(k, 'NODE PRINT', place_step, 'Requests nodal quantities in the history file.')
-      call k%add(name('NSET', 'the nodes', required=.true.))
+      call k%add(name('NSET', 'the nodes; without it nothing is requested, as fields of all nodes are always written'))
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
          'sums over the set (means of '//means(on_points)//'): in addition to the nodes, not at all, or only', &
          default='NO'))
@@ -278,7 +280,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'EL PRINT', place_step, 'Requests element quantities in the history file.')
-      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(name('ELSET', 'the elements; without it nothing is requested, as fields of all elements are always'// &
+         ' written'))
       call k%add(choice('TOTALS', 'YES|NO|ONLY', &
          'sums over the set (means of '//means(on_cells)//'): in addition to the elements, not at all, or only', &
          default='NO'))
@@ -289,6 +292,8 @@ contains
       call begin(k, 'CONTACT PRINT', place_step, &
          'Requests a line about the contacts at every increment in the terminal; the'// &
          ' contact ledger is always written.')
+      call k%add_data([text_field('quantity', 'accepted, but the line has always the same quantities')], &
+         required=.false., last=0)
       call finish(table, k)
 
       call begin(k, 'ENERGY PRINT', place_step, &
@@ -322,7 +327,8 @@ contains
          'Saves increments from which a run can be continued, in DECK.restart.h5: litz run DECK.inp --restart'// &
          ' DECK.restart.h5[:STEP:INCREMENT]. Applies to later steps too.')
       call k%add(flag('WRITE', 'save increments; without it, stop saving'))
-      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step', '1'))
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step; 0: none', '1', &
+         limit_not_negative))
       call finish(table, k)
 
       call begin(k, 'EL FILE', place_step, 'As *NODE FILE.')
@@ -382,11 +388,11 @@ contains
       call begin(k, 'SOLVER', place_step, &
          'Linear solver of this step and the later ones (litz extension). BLOCK, the default, takes Cholesky where'// &
          ' it can, else MUMPS or UMFPACK; MUMPS takes L D L^T or LU by MUMPS for every matrix. MONOLITHIC:'// &
-         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements. FULL:'// &
-         ' temperatures, too, are in one Newton step with displacements (in *COUPLED TEMPERATURE-DISPLACEMENT;'// &
-         ' other steps have their default). Otherwise temperatures and displacements take turns.')
+         ' voltages are solved in the same linear step as displacements. UPDATED: with the new displacements. Where'// &
+         ' temperatures or magnetic forces act back on displacements, in *COUPLED TEMPERATURE-DISPLACEMENT and with'// &
+         ' *LORENTZ, all are in one Newton step (FULL, the default there), or take turns with UPDATED.')
       call k%add(choice('NAME', 'BLOCK|UMFPACK|SKYLINE|MUMPS', 'the solver', required=.true.))
-      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED|FULL', 'when voltages and temperatures are solved'))
+      call k%add(choice('COUPLING', 'MONOLITHIC|UPDATED|FULL', 'when voltages and temperatures are solved for'))
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
          'How often this step and the later ones factorise the tangent, as in Abaqus. NEWTON, the default: in every'// &

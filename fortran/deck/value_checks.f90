@@ -3,12 +3,12 @@ module litz_value_checks
    use litz_kinds, only: dp
    use litz_text, only: squeezed, to_text, words_of, join_words, nearest_word, word_length
    use litz_numbers, only: parse_integer, parse_real, number_ok, number_not_one, number_not_finite, number_too_large
-   use litz_foreign_words, only: advice_about
+   use litz_foreign_words, only: advice_about, role_of, role_idle
    use litz_keywords, only: kind_integer, kind_real, kind_choice, kind_name, kind_item, limit_positive, &
       describe_limit, within_limit, largest_number
    use litz_model, only: name_length
    use litz_deck, only: token_t
-   use litz_reader, only: reader_t, fail_at
+   use litz_reader, only: reader_t, fail_at, warn_of_idle
    implicit none
    private
    public :: check_value, advice_about_value, behind_semicolon, hint_about_blanks
@@ -101,10 +101,11 @@ contains
       character(len=*), intent(in) :: what
       !> Number of the word; 0 after an error
       integer, intent(out) :: chosen
-      !> .false.: an error was reported
+      !> .false.: an error was reported, or that the value is ignored
       logical, intent(out) :: ok
       character(len=word_length), allocatable :: words(:)
-      character(len=:), allocatable :: word, nearest, advice
+      character(len=:), allocatable :: word, nearest, advice, message
+      integer :: role
 
       allocate (words, source=words_of(choices))
       word = squeezed(self%deck%text(token))
@@ -116,10 +117,14 @@ contains
       ok = .false.
       nearest = nearest_word(word, words)
       if (len(nearest) > 0) nearest = 'did you mean '//nearest//'?'
-      advice = advice_about_value(self, token)
+      call look_up_value(self, token, advice, role)
       if (len(advice) == 0) advice = nearest
-      call fail_at(self, token, what//' must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)// &
-         behind_semicolon(advice))
+      message = what//' must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)//behind_semicolon(advice)
+      if (role == role_idle) then
+         call warn_of_idle(self, card_of(self, token%line), token, message)
+      else
+         call fail_at(self, token, message)
+      end if
    end subroutine check_choice
 
    !> What to write in place of a value of Abaqus or CalculiX that litz does not have; empty when it is none.
@@ -127,21 +132,39 @@ contains
       type(reader_t), intent(in) :: self
       type(token_t), intent(in) :: token
       character(len=:), allocatable :: advice
+      integer :: role
+
+      call look_up_value(self, token, advice, role)
+   end function advice_about_value
+
+   !> What is known about a value of Abaqus or CalculiX that litz does not have.
+   subroutine look_up_value(self, token, advice, role)
+      type(reader_t), intent(in) :: self
+      type(token_t), intent(in) :: token
+      !> What to write in its place; empty when nothing is known
+      character(len=:), allocatable, intent(out) :: advice
+      !> What it is about, one of `role_...`
+      integer, intent(out) :: role
+      character(len=:), allocatable :: keyword, value
       integer :: card, i
 
       card = card_of(self, token%line)
       advice = ''
+      role = 0
       if (card == 0) return
+      value = self%deck%text(token)
       associate (this => self%deck%cards(card))
+         keyword = self%deck%text(this%name)
          do i = 1, size(this%parameters)
             if (this%parameters(i)%value%line /= token%line .or. this%parameters(i)%value%first /= token%first) cycle
-            advice = advice_about(self%deck%text(this%name), self%deck%text(this%parameters(i)%name), &
-               self%deck%text(token))
+            advice = advice_about(keyword, self%deck%text(this%parameters(i)%name), value)
+            role = role_of(keyword, self%deck%text(this%parameters(i)%name), value)
             return
          end do
-         advice = advice_about(self%deck%text(this%name), value=self%deck%text(token))
+         advice = advice_about(keyword, value=value)
+         role = role_of(keyword, value=value)
       end associate
-   end function advice_about_value
+   end subroutine look_up_value
 
    !> The card that a line belongs to; 0 when the line is before the first one.
    pure integer function card_of(self, line)

@@ -8,13 +8,9 @@ module f2py_contact
    use litz_law_words, only: law_words_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, overlap_of_force_t, force_at_gap, overlap_at_force
    use litz_normal_laws, only: find_normal_law => normal_law, all_normal_laws
-   use litz_normal_yielding, only: normal_yielding
    use litz_spot_law, only: spot_law_t, contact_spot_t, core_contact_spot => contact_spot
    use litz_spot_laws, only: find_spot_law => spot_law, all_spot_laws
    use litz_closest_points, only: core_closest_points => closest_points
-   use litz_contact_em, only: core_contact_em => contact_em, contact_em_t, contact_laws_t, &
-      contact_active
-   use litz_contact_electricity, only: coupling_parts
    use litz_contact_kinematics, only: core_contact_kinematics => contact_kinematics, contact_kinematics_t
    use litz_contact_mechanics, only: core_contact_mechanics => contact_mechanics
    use litz_friction_law, only: friction_law_t, friction_start_t, core_friction_law => friction_law, &
@@ -97,40 +93,48 @@ contains
    end subroutine elliptic
 
    ! values: semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle
-   subroutine contact_spot(law, n_data, data, force, radius, young, poisson, resistivity, angle, values, info)
-      !> Place of the law in litz_spot_laws
-      integer(c_int), intent(in) :: law
+   subroutine contact_spots(n, n_sets, n_data, law, data, force, radius, young, poisson, resistivity, angle, values, &
+      info)
+      !f2py threadsafe
+      !> Number of contacts; of sets of data of the law: n, or 1 for all
+      integer(c_int), intent(in) :: n, n_sets
       !> Numbers that are the data of the law, at least 1
       integer(c_int), intent(in) :: n_data
-      !> Data of the law (n_data), line after line
-      real(c_double), intent(in) :: data(n_data)
-      !> Contact force [N], positive in contact
-      real(c_double), intent(in) :: force
-      !> Radii (2) [m]: barred, unbarred
-      real(c_double), intent(in) :: radius(2)
-      !> Young's moduli (2) [Pa]
-      real(c_double), intent(in) :: young(2)
-      !> Poisson's ratios (2) [-]
-      real(c_double), intent(in) :: poisson(2)
-      !> Resistivities (2) [ohm m]
-      real(c_double), intent(in) :: resistivity(2)
-      !> Angle between the tangents [rad]
-      real(c_double), intent(in) :: angle
-      !> Semi-axes, approach [m], G [S], dG/dF [S/N], dG/dangle [S/rad]
-      real(c_double), intent(out) :: values(6)
-      !> 0: all is well; else one of the constants of the law or of litz_hertz
-      integer(c_int), intent(out) :: info
+      !> Place of the law in litz_spot_laws
+      integer(c_int), intent(in) :: law
+      !> Data of the law (n_data, n_sets), line after line
+      real(c_double), intent(in) :: data(n_data, n_sets)
+      !> Contact forces (n) [N], positive in contact
+      real(c_double), intent(in) :: force(n)
+      !> Radii (2, n) [m]: barred, unbarred
+      real(c_double), intent(in) :: radius(2, n)
+      !> Young's moduli (2, n) [Pa]
+      real(c_double), intent(in) :: young(2, n)
+      !> Poisson's ratios (2, n) [-]
+      real(c_double), intent(in) :: poisson(2, n)
+      !> Resistivities (2, n) [ohm m]
+      real(c_double), intent(in) :: resistivity(2, n)
+      !> Angles between the tangents (n) [rad]
+      real(c_double), intent(in) :: angle(n)
+      !> Semi-axes, approach [m], G [S], dG/dF [S/N], dG/dangle [S/rad] (6, n)
+      real(c_double), intent(out) :: values(6, n)
+      !> 0: all is well; else one of the constants of the law or of litz_hertz (n)
+      integer(c_int), intent(out) :: info(n)
       type(hertz_ellipse_t) :: ellipse
       type(spot_law_t) :: spot_law
       type(contact_spot_t) :: spot
+      integer :: i
       values = 0
-      spot_law = find_spot_law(law, data)
-      call ellipse_for(spot_law, radius, young, poisson, angle, ellipse, info)
-      if (info /= hertz_ok) return
-      call core_contact_spot(spot_law, force, wire_pair_t(radius, young, poisson, resistivity), ellipse, spot, info)
-      values = [spot%semi_major, spot%semi_minor, spot%approach, spot%conductance, spot%dconductance_dforce, &
-         spot%dconductance_dangle]
-   end subroutine contact_spot
+      do i = 1, n
+         if (i <= n_sets) spot_law = find_spot_law(law, data(:, i))
+         call ellipse_for(spot_law, radius(:, i), young(:, i), poisson(:, i), angle(i), ellipse, info(i))
+         if (info(i) /= hertz_ok) cycle
+         call core_contact_spot(spot_law, force(i), wire_pair_t(radius(:, i), young(:, i), poisson(:, i), &
+            resistivity(:, i)), ellipse, spot, info(i))
+         values(:, i) = [spot%semi_major, spot%semi_minor, spot%approach, spot%conductance, spot%dconductance_dforce, &
+            spot%dconductance_dangle]
+      end do
+   end subroutine contact_spots
 
    ! values: force, dforce_dgap, dforce_dangle, energy, denergy_dangle, d2energy_dangle2
    subroutine normal_force(law, n_data, data, gap, radius, young, poisson, angle, values, info)
@@ -200,28 +204,36 @@ contains
    end subroutine normal_overlap
 
    ! start is looked at when has_start /= 0.
-   subroutine closest_points(x, t, length, axis, has_start, start, xi_bar, xi, status)
-      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
-      real(c_double), intent(in) :: x(3, 4)
-      !> Unit tangents of the nodes (3, 4)
-      real(c_double), intent(in) :: t(3, 4)
-      !> Reference lengths (2) [m]: barred, unbarred
-      real(c_double), intent(in) :: length(2)
-      !> Places (barred, unbarred) of an earlier solution
-      real(c_double), intent(in) :: start(2)
+   subroutine closest_points(n, x, t, length, start, axis, has_start, xi_bar, xi, status)
+      !f2py threadsafe
+      !> Number of pairs of elements
+      integer(c_int), intent(in) :: n
+      !> Nodal positions (3, 4, n) [m]: barred 1, barred 2, 1, 2
+      real(c_double), intent(in) :: x(3, 4, n)
+      !> Unit tangents of the nodes (3, 4, n)
+      real(c_double), intent(in) :: t(3, 4, n)
+      !> Reference lengths (2, n) [m]: barred, unbarred
+      real(c_double), intent(in) :: length(2, n)
+      !> Places (barred, unbarred) of an earlier solution (2, n)
+      real(c_double), intent(in) :: start(2, n)
       !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer(c_int), intent(in) :: axis
       !> Not 0: `start` counts
       integer(c_int), intent(in) :: has_start
-      !> Places in the barred and the unbarred element
-      real(c_double), intent(out) :: xi_bar, xi
-      !> One of `closest_...`
-      integer(c_int), intent(out) :: status
-      if (has_start /= 0) then
-         call core_closest_points(x, t, length, axis, xi_bar, xi, status, start)
-      else
-         call core_closest_points(x, t, length, axis, xi_bar, xi, status)
-      end if
+      !> Places in the barred and the unbarred elements (n)
+      real(c_double), intent(out) :: xi_bar(n), xi(n)
+      !> One of `closest_...` (n)
+      integer(c_int), intent(out) :: status(n)
+      integer :: i
+      !$omp parallel do schedule(static) if (n >= 1000)
+      do i = 1, n
+         if (has_start /= 0) then
+            call core_closest_points(x(:, :, i), t(:, :, i), length(:, i), axis, xi_bar(i), xi(i), status(i), &
+               start(:, i))
+         else
+            call core_closest_points(x(:, :, i), t(:, :, i), length(:, i), axis, xi_bar(i), xi(i), status(i))
+         end if
+      end do
    end subroutine closest_points
 
    ! rows: dgap, dxi_bar, dxi, dcos_angle, dangle; values: distance, gap, angle, cos_angle, side
@@ -398,95 +410,5 @@ contains
       values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double), slip%slip]
       on_bar = -matmul(slip%frame, law%traction)
    end subroutine contact_friction
-
-   ! numbers: xi_bar, xi, gap, angle, force, semi_major, semi_minor, resistance, current, voltage_gap, side
-   ! k_me: the five parts of the coupling block
-   ! rotation_vectors are looked at when has_rotation_vectors /= 0.
-   subroutine contact_em(x, t, length, v, radius, young, poisson, resistivity, normal_law, n_normal_data, &
-      normal_data, yield_stress, hardness, largest_force, keeps_spot, spot_law, n_spot_data, spot_data, axis, side, &
-      ends, series_resistance, has_rotation_vectors, rotation_vectors, k, r, numbers, normal, k_me, info)
-      !> Nodal positions (3, 4) [m]: barred 1, barred 2, 1, 2
-      real(c_double), intent(in) :: x(3, 4)
-      !> Unit tangents of the nodes (3, 4)
-      real(c_double), intent(in) :: t(3, 4)
-      !> Reference lengths (2) [m]: barred, unbarred
-      real(c_double), intent(in) :: length(2)
-      !> Voltages of the nodes (4) [V]
-      real(c_double), intent(in) :: v(4)
-      !> Radii (2) [m]: barred, unbarred
-      real(c_double), intent(in) :: radius(2)
-      !> Young's moduli (2) [Pa]
-      real(c_double), intent(in) :: young(2)
-      !> Poisson's ratios (2) [-]
-      real(c_double), intent(in) :: poisson(2)
-      !> Resistivities (2) [ohm m]
-      real(c_double), intent(in) :: resistivity(2)
-      !> Place of the normal law in litz_normal_laws
-      integer(c_int), intent(in) :: normal_law
-      !> Numbers that are the data of the normal law, at least 1
-      integer(c_int), intent(in) :: n_normal_data
-      !> Data of the normal law (n_normal_data)
-      real(c_double), intent(in) :: normal_data(n_normal_data)
-      !> Of wires that yield: yield stress [Pa], 0: they do not; hardness [Pa], 0: 2.8 times that; largest force [N]
-      real(c_double), intent(in) :: yield_stress, hardness, largest_force
-      !> Not 0: the spot stays as wide as the largest force has made it
-      integer(c_int), intent(in) :: keeps_spot
-      !> Place of the spot law in litz_spot_laws; 0: no current
-      integer(c_int), intent(in) :: spot_law
-      !> Numbers that are the data of the spot law, at least 1
-      integer(c_int), intent(in) :: n_spot_data
-      !> Data of the spot law (n_spot_data), line after line
-      real(c_double), intent(in) :: spot_data(n_spot_data)
-      !> `axis_linear` or `axis_hermite` of litz_axis_choices
-      integer(c_int), intent(in) :: axis
-      !> Remembered orientation +1 or -1; 0: none
-      integer(c_int), intent(in) :: side
-      !> End, -1 or 1, with which each wire touches (2): barred, unbarred; 0: with its side
-      integer(c_int), intent(in) :: ends(2)
-      !> Not 0: `rotation_vectors` count
-      integer(c_int), intent(in) :: has_rotation_vectors
-      !> rho L0/(4 A) (2) [ohm]; 0: the paper's linear voltage
-      real(c_double), intent(in) :: series_resistance(2)
-      !> Rotation vectors of the nodes (3, 4) [rad]
-      real(c_double), intent(in) :: rotation_vectors(3, 4)
-      !> Tangent (28, 28)
-      real(c_double), intent(out) :: k(28, 28)
-      !> Residual (28) [N, N m, A]
-      real(c_double), intent(out) :: r(28)
-      !> xi_bar, xi, gap [m], angle [rad], force [N], semi-axes [m], resistance [ohm], current [A], voltage across the
-      !> spot [V], side, largest force [N], dent [m]
-      real(c_double), intent(out) :: numbers(13)
-      !> Unit normal from the unbarred to the barred axis
-      real(c_double), intent(out) :: normal(3)
-      !> The five parts of the coupling block (4, 24, 5)
-      real(c_double), intent(out) :: k_me(4, 24, 5)
-      !> 0: all is well; else one of the constants of the kernel
-      integer(c_int), intent(out) :: info
-      type(contact_em_t) :: contact
-      type(wire_pair_t) :: wires
-      type(contact_laws_t) :: laws
-      wires = wire_pair_t(radius, young, poisson, resistivity, series_resistance)
-      laws%axis = axis
-      laws%ends = ends
-      laws%normal = find_normal_law(normal_law, normal_data)
-      if (yield_stress > 0) laws%normal = normal_yielding(yield_stress, hardness)
-      laws%dent_force = largest_force
-      laws%keeps_spot = keeps_spot /= 0
-      laws%spot = find_spot_law(spot_law, spot_data)
-      if (has_rotation_vectors /= 0) then
-         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info, rotation_vectors)
-      else
-         call core_contact_em(x, t, length, v, wires, laws, side, k, r, contact, info)
-      end if
-      numbers = [contact%xi_bar, contact%xi, contact%gap, contact%angle, contact%force, contact%semi_major, &
-         contact%semi_minor, contact%resistance, contact%current, contact%voltage_gap, real(contact%side, c_double), &
-         contact%largest_force, contact%dent]
-      normal = contact%normal
-      k_me = 0
-      if (info == contact_active) then
-         call coupling_parts(contact%electricity, contact%kinematics, k_me(:, :, 1), k_me(:, :, 2), k_me(:, :, 3), &
-            k_me(:, :, 4), k_me(:, :, 5))
-      end if
-   end subroutine contact_em
 
 end module f2py_contact

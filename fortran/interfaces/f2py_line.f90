@@ -14,7 +14,10 @@ module f2py_line
    use litz_line_kinematics, only: core_lens_sine => lens_sine, line_kinematics
    use litz_line_point, only: core_line_point => line_point, line_laws_t, line_place_t, line_point_t
    implicit none
-   private :: numbers_of
+   private :: numbers_of, one_point, chunk
+
+   !> Points that one thread computes before it takes more; fewer are not shared among threads
+   integer, parameter :: chunk = 64
 contains
 
    ! values: b, delta, ddelta/df, g', dg'/df
@@ -239,8 +242,9 @@ contains
    ! numbers: xi_bar, gap, angle, force, half width, resistance, current, voltage_gap, force per length, energy,
    ! quality, at_end. start and rotation_vectors are looked at when has_start, has_rotation_vectors /= 0.
    subroutine line_points(n, x, t, length, v, xi, weight, radius, young, poisson, resistivity, angle, penalty, film, &
-      hardness, axis, ends, normal_before, has_start, start, series_resistance, has_rotation_vectors, &
-      rotation_vectors, k, r, numbers, normal, info)
+      hardness, ends, normal_before, start, series_resistance, rotation_vectors, axis, has_start, &
+      has_rotation_vectors, n_k, k, wants_k, r, numbers, normal, info)
+      !f2py threadsafe
       !> Number of points
       integer(c_int), intent(in) :: n
       !> Nodal positions (3, 4, n) [m]: barred 1, barred 2, 1, 2
@@ -287,8 +291,12 @@ contains
       integer(c_int), intent(in) :: has_rotation_vectors
       !> Rotation vectors of the nodes (3, 4, n) [rad]
       real(c_double), intent(in) :: rotation_vectors(3, 4, n)
-      !> Tangents (28, 28, n)
-      real(c_double), intent(out) :: k(28, 28, n)
+      !> Number of tangents: n, or 1 where they are not wanted
+      integer(c_int), intent(in) :: n_k
+      !> Tangents (28, 28, n_k): the only large result; Python makes room for it without filling it first
+      real(c_double), intent(inout) :: k(28, 28, n_k)
+      !> Not 0: the tangents are wanted
+      integer(c_int), intent(in) :: wants_k
       !> Residuals (28, n) [N, N m, A]
       real(c_double), intent(out) :: r(28, n)
       !> See above (12, n)
@@ -300,28 +308,45 @@ contains
       type(wire_pair_t) :: wires
       type(line_laws_t) :: laws
       type(line_place_t) :: place
-      type(line_point_t) :: point
-      integer :: i
-      do i = 1, n
-         laws%axis = axis
-         wires = wire_pair_t(radius(:, i), young(:, i), poisson(:, i), resistivity(:, i))
-         laws%wires = core_line_wires(wires, angle(i))
-         laws%penalty = penalty(i)
-         laws%film = film(i)
-         laws%hardness = hardness(i)
-         laws%series_resistance = series_resistance(:, i)
-         place = line_place_t(xi(i), weight(i), ends(:, i) /= 0, normal_before(:, i), has_start /= 0, start(i))
-         if (has_rotation_vectors /= 0) then
-            call core_line_point(x(:, :, i), t(:, :, i), length(:, i), v(:, i), place, laws, k(:, :, i), r(:, i), &
-               point, info(i), rotation_vectors(:, :, i))
-         else
-            call core_line_point(x(:, :, i), t(:, :, i), length(:, i), v(:, i), place, laws, k(:, :, i), r(:, i), &
-               point, info(i))
-         end if
-         numbers(:, i) = numbers_of(point, weight(i))
-         normal(:, i) = point%kinematics%normal
+      integer :: first, i
+      !$omp parallel do schedule(dynamic) private(i, wires, laws, place) if (n > chunk)
+      do first = 1, n, chunk
+         do i = first, min(first + chunk - 1, n)
+            wires = wire_pair_t(radius(:, i), young(:, i), poisson(:, i), resistivity(:, i))
+            laws = line_laws_t(axis, core_line_wires(wires, angle(i)), penalty(i), .true., film(i), hardness(i), &
+               series_resistance(:, i))
+            place = line_place_t(xi(i), weight(i), ends(:, i) /= 0, normal_before(:, i), has_start /= 0, start(i))
+            call one_point(x(:, :, i), t(:, :, i), length(:, i), v(:, i), place, laws, has_rotation_vectors /= 0, &
+               rotation_vectors(:, :, i), k(:, :, i:merge(i, 0, wants_k /= 0)), r(:, i), numbers(:, i), normal(:, i), &
+               info(i))
+         end do
       end do
    end subroutine line_points
+
+   subroutine one_point(x, t, length, v, place, laws, has_rotation_vectors, rotation_vectors, k, r, numbers, normal, &
+      info)
+      !> As of `line_points`
+      real(c_double), intent(in) :: x(3, 4), t(3, 4), length(2), v(4), rotation_vectors(3, 4)
+      type(line_place_t), intent(in) :: place
+      type(line_laws_t), intent(in) :: laws
+      !> As of `line_points`
+      logical, intent(in) :: has_rotation_vectors
+      !> Tangent (28, 28, 1), or (28, 28, 0) where it is not wanted; the others as of `line_points`
+      real(c_double), intent(inout) :: k(:, :, :), r(28), numbers(12), normal(3)
+      !> As of `line_points`
+      integer(c_int), intent(inout) :: info
+      type(line_point_t) :: point
+      real(c_double) :: tangent(28, 28)
+
+      if (has_rotation_vectors) then
+         call core_line_point(x, t, length, v, place, laws, tangent, r, point, info, rotation_vectors)
+      else
+         call core_line_point(x, t, length, v, place, laws, tangent, r, point, info)
+      end if
+      if (size(k, 3) > 0) k(:, :, 1) = tangent
+      numbers = numbers_of(point, place%weight)
+      normal = point%kinematics%normal
+   end subroutine one_point
 
    pure function numbers_of(point, weight) result(numbers)
       type(line_point_t), intent(in) :: point

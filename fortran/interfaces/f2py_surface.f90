@@ -48,27 +48,25 @@ contains
       end do
    end subroutine conductance_law_names
 
-   pure function laws_of(normal, normal_data, spot, spot_data, bodies, augmentation) result(laws)
+   pure function laws_of(normal, normal_data, spot, spot_data, bodies) result(laws)
       !> Places of the laws in litz_area_laws; 0 of the second: no current
       integer(c_int), intent(in) :: normal, spot
       !> Their data (n)
       real(c_double), intent(in) :: normal_data(:), spot_data(:)
       !> Young's moduli [Pa], Poisson's ratios, resistivities [ohm m] (2, 3)
       real(c_double), intent(in) :: bodies(2, 3)
-      !> p_a [Pa]
-      real(c_double), intent(in) :: augmentation
       type(surface_laws_t) :: laws
       laws%normal = pressure_law(normal, normal_data)
       laws%conductance = area_conductance_law(spot, spot_data)
       laws%bodies = body_pair_t(bodies(:, 1), bodies(:, 2), bodies(:, 3))
-      laws%augmentation = augmentation
    end function laws_of
 
    ! numbers: xi_bar, gap, pressure, h, current, voltage_gap
-   subroutine node_to_segment(n, x_bar, x, v_bar, v, area, reach, normal_law, n_normal, normal_data, spot_law, &
-      n_spot, spot_data, bodies, augmentation, k, r, numbers, normal, info)
-      !> Number of pairs
-      integer(c_int), intent(in) :: n
+   subroutine node_to_segment(n, n_sets, x_bar, x, v_bar, v, area, reach, augmentation, normal_law, n_normal, &
+      normal_data, spot_law, n_spot, spot_data, bodies, k, r, numbers, normal, info)
+      !f2py threadsafe
+      !> Number of pairs; of sets of data of the laws: n, or 1 for all
+      integer(c_int), intent(in) :: n, n_sets
       !> Nodes of the master segments (2, 2, n) [m]
       real(c_double), intent(in) :: x_bar(2, 2, n)
       !> Slave nodes (2, n) [m]
@@ -81,22 +79,22 @@ contains
       real(c_double), intent(in) :: area(n)
       !> How far the segments go on beyond their nodes, in lengths of the segments (2, n)
       real(c_double), intent(in) :: reach(2, n)
+      !> Pressures of augmentation (n) [Pa]
+      real(c_double), intent(in) :: augmentation(n)
       !> Place of the pressure law in litz_area_laws
       integer(c_int), intent(in) :: normal_law
       !> Numbers that are its data, at least 1
       integer(c_int), intent(in) :: n_normal
-      !> Its data (n_normal)
-      real(c_double), intent(in) :: normal_data(n_normal)
+      !> Its data (n_normal, n_sets)
+      real(c_double), intent(in) :: normal_data(n_normal, n_sets)
       !> Place of the conductance law there; 0: no current
       integer(c_int), intent(in) :: spot_law
       !> Numbers that are its data, at least 1
       integer(c_int), intent(in) :: n_spot
-      !> Its data (n_spot)
-      real(c_double), intent(in) :: spot_data(n_spot)
-      !> Young's moduli [Pa], Poisson's ratios, resistivities [ohm m] (2, 3): barred, unbarred
-      real(c_double), intent(in) :: bodies(2, 3)
-      !> Pressures of augmentation (n) [Pa]
-      real(c_double), intent(in) :: augmentation(n)
+      !> Its data (n_spot, n_sets)
+      real(c_double), intent(in) :: spot_data(n_spot, n_sets)
+      !> Young's moduli [Pa], Poisson's ratios, resistivities [ohm m] (2, 3, n_sets): barred, unbarred
+      real(c_double), intent(in) :: bodies(2, 3, n_sets)
       !> Tangents (9, 9, n)
       real(c_double), intent(out) :: k(9, 9, n)
       !> Residuals (9, n) [N, A]
@@ -109,10 +107,13 @@ contains
       integer(c_int), intent(out) :: info(n)
       type(surface_point_t) :: point
       type(segment_t) :: segment
+      type(surface_laws_t) :: laws
       integer :: i
       do i = 1, n
+         if (i <= n_sets) laws = laws_of(normal_law, normal_data(:, i), spot_law, spot_data(:, i), bodies(:, :, i))
+         laws%augmentation = augmentation(i)
          call core_node_to_segment(x_bar(:, :, i), x(:, i), v_bar(:, i), v(i), area(i), reach(:, i), &
-            laws_of(normal_law, normal_data, spot_law, spot_data, bodies, augmentation(i)), k(:, :, i), r(:, i), &
+            laws, k(:, :, i), r(:, i), &
             point, info(i))
          numbers(:, i) = [point%xi_bar, point%gap, point%normal%pressure, point%spot%conductance, point%current, &
             point%voltage_gap]
@@ -122,10 +123,11 @@ contains
    end subroutine node_to_segment
 
    ! numbers of both points: xi_bar, xi, gap, area, pressure, h, current, voltage_gap
-   subroutine segment_to_segment(n, x_bar, x, v_bar, v, length, width, normal_law, n_normal, normal_data, spot_law, &
-      n_spot, spot_data, bodies, augmentation, k, r, numbers, normal, info)
-      !> Number of pairs
-      integer(c_int), intent(in) :: n
+   subroutine segment_to_segment(n, n_sets, x_bar, x, v_bar, v, length, width, augmentation, normal_law, n_normal, &
+      normal_data, spot_law, n_spot, spot_data, bodies, k, r, numbers, normal, info)
+      !f2py threadsafe
+      !> Number of pairs; of sets of data of the laws: n, or 1 for all
+      integer(c_int), intent(in) :: n, n_sets
       !> Nodes of the master segments (2, 2, n) [m]
       real(c_double), intent(in) :: x_bar(2, 2, n)
       !> Nodes of the slave segments (2, 2, n) [m]
@@ -138,22 +140,22 @@ contains
       real(c_double), intent(in) :: length(n)
       !> Widths at the nodes of the slaves (2, n) [m]
       real(c_double), intent(in) :: width(2, n)
+      !> Pressures of augmentation (n) [Pa]
+      real(c_double), intent(in) :: augmentation(n)
       !> Place of the pressure law in litz_area_laws
       integer(c_int), intent(in) :: normal_law
       !> Numbers that are its data, at least 1
       integer(c_int), intent(in) :: n_normal
-      !> Its data (n_normal)
-      real(c_double), intent(in) :: normal_data(n_normal)
+      !> Its data (n_normal, n_sets)
+      real(c_double), intent(in) :: normal_data(n_normal, n_sets)
       !> Place of the conductance law there; 0: no current
       integer(c_int), intent(in) :: spot_law
       !> Numbers that are its data, at least 1
       integer(c_int), intent(in) :: n_spot
-      !> Its data (n_spot)
-      real(c_double), intent(in) :: spot_data(n_spot)
-      !> Young's moduli [Pa], Poisson's ratios, resistivities [ohm m] (2, 3): barred, unbarred
-      real(c_double), intent(in) :: bodies(2, 3)
-      !> Pressures of augmentation (n) [Pa]
-      real(c_double), intent(in) :: augmentation(n)
+      !> Its data (n_spot, n_sets)
+      real(c_double), intent(in) :: spot_data(n_spot, n_sets)
+      !> Young's moduli [Pa], Poisson's ratios, resistivities [ohm m] (2, 3, n_sets): barred, unbarred
+      real(c_double), intent(in) :: bodies(2, 3, n_sets)
       !> Tangents (12, 12, n)
       real(c_double), intent(out) :: k(12, 12, n)
       !> Residuals (12, n) [N, A]
@@ -166,11 +168,14 @@ contains
       integer(c_int), intent(out) :: info(n)
       type(surface_point_t) :: points(2)
       type(segment_t) :: segment
+      type(surface_laws_t) :: laws
       real(c_double) :: place(2)
       integer :: i, j
       do i = 1, n
+         if (i <= n_sets) laws = laws_of(normal_law, normal_data(:, i), spot_law, spot_data(:, i), bodies(:, :, i))
+         laws%augmentation = augmentation(i)
          call core_segment_to_segment(x_bar(:, :, i), x(:, :, i), v_bar(:, i), v(:, i), length(i), width(:, i), &
-            laws_of(normal_law, normal_data, spot_law, spot_data, bodies, augmentation(i)), k(:, :, i), r(:, i), &
+            laws, k(:, :, i), r(:, i), &
             points, place, info(i))
          do j = 1, 2
             numbers(:, j, i) = [points(j)%xi_bar, place(j), points(j)%gap, points(j)%area, &

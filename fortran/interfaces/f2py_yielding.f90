@@ -14,34 +14,54 @@ module f2py_yielding
    use litz_yielding_spot, only: yielding_t, yielding_crossing, dent_t, dent_of_force, yielding_state_t, &
       state_at_overlap, state_at_force, core_largest_onset => largest_onset
    implicit none
-   private :: numbers_of, beyond_elastic
+   private :: numbers_of, spot_of_force, crossing, beyond_elastic
 
    !> Yield stress over E* of metal that stays elastic: far above pressures at which the spot is smaller than a wire
    real(c_double), parameter :: beyond_elastic = 1.0e3_c_double
 contains
 
    ! values: semi_major, semi_minor, approach, conductance, dconductance_dforce, dconductance_dangle
-   subroutine spot_of_force(force, largest_force, radius, young, poisson, resistivity, angle, yield_stress, hardness, &
-      mean_free_path, film, values, widest, yield_pressure, info)
-      !> F, and the largest that the contact has had [N]
-      real(c_double), intent(in) :: force, largest_force
-      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-] and resistivities [ohm m] (2): barred, unbarred
-      real(c_double), intent(in) :: radius(2), young(2), poisson(2), resistivity(2)
-      !> Angle between the tangents [rad]
-      real(c_double), intent(in) :: angle
-      !> Yield stresses (2) [Pa]; 0: none
-      real(c_double), intent(in) :: yield_stress(2)
-      !> H [Pa]; 0: 2.8 times the smaller yield stress
-      real(c_double), intent(in) :: hardness
-      !> Of the electrons (2) [m]
-      real(c_double), intent(in) :: mean_free_path(2)
-      !> Film resistance times area [ohm m^2]
-      real(c_double), intent(in) :: film
-      !> Semi-axes, approach [m], G [S], dG/dF [S/N], dG/dangle [S/rad]
-      real(c_double), intent(out) :: values(6)
-      !> Radius of a circle with the area of the largest spot [m], and p_Y [Pa]
-      real(c_double), intent(out) :: widest, yield_pressure
-      !> 0: all is well; else one of the constants of litz_hertz or litz_yielding_spot
+   subroutine spots_of_forces(n, force, largest_force, radius, young, poisson, resistivity, angle, yield_stress, &
+      hardness, mean_free_path, film, values, widest, yield_pressure, info)
+      !f2py threadsafe
+      !> Number of contacts
+      integer(c_int), intent(in) :: n
+      !> F, and the largest that each contact has had (n) [N]
+      real(c_double), intent(in) :: force(n), largest_force(n)
+      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-] and resistivities [ohm m] (2, n): barred, unbarred
+      real(c_double), intent(in) :: radius(2, n), young(2, n), poisson(2, n), resistivity(2, n)
+      !> Angles between the tangents (n) [rad]
+      real(c_double), intent(in) :: angle(n)
+      !> Yield stresses (2, n) [Pa]; 0: none
+      real(c_double), intent(in) :: yield_stress(2, n)
+      !> H (n) [Pa]; 0: 2.8 times the smaller yield stress
+      real(c_double), intent(in) :: hardness(n)
+      !> Of the electrons (2, n) [m]
+      real(c_double), intent(in) :: mean_free_path(2, n)
+      !> Film resistances times area (n) [ohm m^2]
+      real(c_double), intent(in) :: film(n)
+      !> Semi-axes, approach [m], G [S], dG/dF [S/N], dG/dangle [S/rad] (6, n)
+      real(c_double), intent(out) :: values(6, n)
+      !> Radii of circles with the area of the largest spot [m], and p_Y [Pa] (n)
+      real(c_double), intent(out) :: widest(n), yield_pressure(n)
+      !> 0: all is well; else one of the constants of litz_hertz or litz_yielding_spot (n)
+      integer(c_int), intent(out) :: info(n)
+      integer :: i
+      do i = 1, n
+         call spot_of_force(force(i), largest_force(i), wire_pair_t(radius(:, i), young(:, i), poisson(:, i), &
+            resistivity(:, i)), angle(i), yield_stress(:, i), hardness(i), mean_free_path(:, i), film(i), &
+            values(:, i), widest(i), yield_pressure(i), info(i))
+      end do
+   end subroutine spots_of_forces
+
+   subroutine spot_of_force(force, largest_force, wires, angle, yield_stress, hardness, mean_free_path, film, values, &
+      widest, yield_pressure, info)
+      !> As of `spots_of_forces`
+      real(c_double), intent(in) :: force, largest_force, angle, yield_stress(2), hardness, mean_free_path(2), film
+      type(wire_pair_t), intent(in) :: wires
+      !> As of `spots_of_forces`
+      real(c_double), intent(out) :: values(6), widest, yield_pressure
+      !> As of `spots_of_forces`
       integer(c_int), intent(out) :: info
       type(hertz_ellipse_t) :: ellipse
       type(yielding_t) :: law
@@ -51,11 +71,11 @@ contains
       values = 0
       widest = 0
       yield_pressure = 0
-      call hertz_ellipse(radius, young, poisson, angle, ellipse, info)
+      call hertz_ellipse(wires%radius, wires%young, wires%poisson, angle, ellipse, info)
       if (info /= hertz_ok) return
-      metal = spot_metal_t(resistivity, resistivity*mean_free_path, film)
+      metal = spot_metal_t(wires%resistivity, wires%resistivity*mean_free_path, film)
       if (all(yield_stress > 0)) then
-         call yielding_crossing(ellipse, poisson, yield_stress, hardness, law, info)
+         call yielding_crossing(ellipse, wires%poisson, yield_stress, hardness, law, info)
          yield_pressure = law%yield_pressure
          if (info /= 0 .or. .not. force > 0) return
          dent = dent_of_force(law, max(force, largest_force))
@@ -71,46 +91,41 @@ contains
    ! values: overlap, force, stiffness, its derivative by the force; dF by the angle and by the largest force;
    ! semi-axes, a_e; dent; energy, dissipation; derivatives of the area by overlap, angle, largest force, then of a_e;
    ! that of the energy by the largest force
-   subroutine normal_law_of_points(n, given, is_force, largest_force, radius, young, poisson, angle, yield_stress, &
-      hardness, values, onset, info)
-      !> Number of points
-      integer(c_int), intent(in) :: n
+   subroutine normal_law_of_points(n, n_sets, given, is_force, largest_force, radius, young, poisson, angle, &
+      yield_stress, hardness, values, onset, info)
+      !f2py threadsafe
+      !> Number of points; of crossings: n, or 1 for all
+      integer(c_int), intent(in) :: n, n_sets
       !> Overlaps [m], or forces [N] (n)
       real(c_double), intent(in) :: given(n)
       !> Not 0: forces
       integer(c_int), intent(in) :: is_force
       !> Largest forces that the contact has had (n) [N]
       real(c_double), intent(in) :: largest_force(n)
-      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-] (2): barred, unbarred
-      real(c_double), intent(in) :: radius(2), young(2), poisson(2)
-      !> Angle between the tangents [rad]
-      real(c_double), intent(in) :: angle
-      !> Yield stresses (2) [Pa]; 0: none
-      real(c_double), intent(in) :: yield_stress(2)
-      !> H [Pa]; 0: 2.8 times the smaller yield stress
-      real(c_double), intent(in) :: hardness
+      !> Radii [m], Young's moduli [Pa], Poisson's ratios [-] (2, n_sets): barred, unbarred
+      real(c_double), intent(in) :: radius(2, n_sets), young(2, n_sets), poisson(2, n_sets)
+      !> Angles between the tangents (n_sets) [rad]
+      real(c_double), intent(in) :: angle(n_sets)
+      !> Yield stresses (2, n_sets) [Pa]; 0: none
+      real(c_double), intent(in) :: yield_stress(2, n_sets)
+      !> H (n_sets) [Pa]; 0: 2.8 times the smaller yield stress
+      real(c_double), intent(in) :: hardness(n_sets)
       !> (19, n) in the units of the types of litz_yielding_spot
       real(c_double), intent(out) :: values(19, n)
-      !> p_Y [Pa], F_Y [N], delta_Y [m], h, F_p [N]
-      real(c_double), intent(out) :: onset(5)
-      !> 0: all is well; else one of the constants of litz_hertz or litz_yielding_spot
-      integer(c_int), intent(out) :: info
+      !> p_Y [Pa], F_Y [N], delta_Y [m], h, F_p [N] (5, n_sets)
+      real(c_double), intent(out) :: onset(5, n_sets)
+      !> 0: all is well; else one of the constants of litz_hertz or litz_yielding_spot (n_sets)
+      integer(c_int), intent(out) :: info(n_sets)
       type(hertz_ellipse_t) :: ellipse
       type(yielding_t) :: law
       type(dent_t) :: dent
       type(yielding_state_t) :: state
-      real(c_double) :: stress(2)
       integer :: i
       values = 0
-      onset = 0
-      call hertz_ellipse(radius, young, poisson, angle, ellipse, info)
-      if (info /= hertz_ok) return
-      stress = yield_stress
-      if (.not. all(stress > 0)) stress = beyond_elastic*ellipse%modulus
-      call yielding_crossing(ellipse, poisson, stress, hardness, law, info)
-      onset = [law%yield_pressure, law%force, law%overlap, law%steepness, law%force*law%plastic_force]
-      if (info /= 0) return
       do i = 1, n
+         if (i <= n_sets) call crossing(radius(:, i), young(:, i), poisson(:, i), angle(i), yield_stress(:, i), &
+            hardness(i), ellipse, law, onset(:, i), info(i))
+         if (info(min(i, n_sets)) /= 0) cycle
          dent = dent_of_force(law, largest_force(i))
          if (is_force /= 0) then
             state = state_at_force(law, dent, given(i))
@@ -121,6 +136,25 @@ contains
          values(:, i) = numbers_of(state, ellipse%ratio, dent%depth)
       end do
    end subroutine normal_law_of_points
+
+   subroutine crossing(radius, young, poisson, angle, yield_stress, hardness, ellipse, law, onset, info)
+      !> As of `normal_law_of_points`
+      real(c_double), intent(in) :: radius(2), young(2), poisson(2), angle, yield_stress(2), hardness
+      type(hertz_ellipse_t), intent(out) :: ellipse
+      type(yielding_t), intent(out) :: law
+      !> As of `normal_law_of_points`
+      real(c_double), intent(out) :: onset(5)
+      !> As of `normal_law_of_points`
+      integer(c_int), intent(out) :: info
+      real(c_double) :: stress(2)
+      onset = 0
+      call hertz_ellipse(radius, young, poisson, angle, ellipse, info)
+      if (info /= hertz_ok) return
+      stress = yield_stress
+      if (.not. all(stress > 0)) stress = beyond_elastic*ellipse%modulus
+      call yielding_crossing(ellipse, poisson, stress, hardness, law, info)
+      onset = [law%yield_pressure, law%force, law%overlap, law%steepness, law%force*law%plastic_force]
+   end subroutine crossing
 
    ! values: force, overlap, doverlap/dforce, b, g', dg'/dforce, dent
    subroutine line_law_of_points(n, given, is_overlap, largest_force, radius, young, poisson, resistivity, angle, &
@@ -141,8 +175,8 @@ contains
       real(c_double), intent(in) :: film(n)
       !> Yield stresses (2, n) [Pa]
       real(c_double), intent(in) :: yield_stress(2, n)
-      !> H [Pa]; 0: 2.8 times the smaller yield stress
-      real(c_double), intent(in) :: hardness
+      !> H (n) [Pa]; 0: 2.8 times the smaller yield stress
+      real(c_double), intent(in) :: hardness(n)
       !> f [N/m], delta [m], ddelta/df [m^2/N], b [m], g' [S/m], dg'/df [S/N], dent [m] (7, n)
       real(c_double), intent(out) :: values(7, n)
       !> p_Y of parallel wires [Pa], force per length at the onset [N/m], b_Y of parallel wires [m] (3, n)
@@ -158,7 +192,7 @@ contains
       values = 0
       do i = 1, n
          wires = wire_pair_t(radius(:, i), young(:, i), poisson(:, i), resistivity(:, i))
-         law = yielding_line(line_wires(wires, angle(i)), wires, yield_stress(:, i), hardness, angle(i))
+         law = yielding_line(line_wires(wires, angle(i)), wires, yield_stress(:, i), hardness(i), angle(i))
          onset(:, i) = [law%yield_pressure, law%onset, law%half_width]
          dent = line_dent(law, largest_force(i))
          if (is_overlap /= 0) then
@@ -175,13 +209,18 @@ contains
       end do
    end subroutine line_law_of_points
 
-   ! Pressure at the onset of yielding at most [Pa]
-   subroutine largest_onset(yield_stress, onset)
-      !> [Pa]
-      real(c_double), intent(in) :: yield_stress
-      !> [Pa]
-      real(c_double), intent(out) :: onset
-      onset = core_largest_onset(yield_stress)
+   ! Pressure at the onset of yielding at most
+   subroutine largest_onset(n, yield_stress, onset)
+      !> Number of metals
+      integer(c_int), intent(in) :: n
+      !> (n) [Pa]
+      real(c_double), intent(in) :: yield_stress(n)
+      !> (n) [Pa]
+      real(c_double), intent(out) :: onset(n)
+      integer :: i
+      do i = 1, n
+         onset(i) = core_largest_onset(yield_stress(i))
+      end do
    end subroutine largest_onset
 
    pure function numbers_of(state, ratio, depth) result(values)

@@ -4,22 +4,26 @@
 !> The wires are straight between their nodes before they are loaded. `abaqus_uel.f90` and `feap_elmt.f90` are made of
 !> it.
 module litz_user_element
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use litz_kinds, only: dp, pi
    use litz_contact_em, only: contact_em, contact_em_t, contact_laws_t, contact_active, contact_open, &
       contact_beyond, contact_parallel, contact_not_unique, contact_not_converged, contact_unknown_law, &
-      contact_bad_data
+      contact_bad_data, contact_compacts
+   use litz_axis_choices, only: axis_linear, axis_hermite
    use litz_law_input, only: wire_pair_t
+   use litz_law_words, only: law_words_t
    use litz_normal_laws, only: normal_law
    use litz_rotations, only: rotation_exp
    use litz_spot_laws, only: spot_law
    implicit none
    private
-   public :: user_contact, n_unknowns, n_history, n_properties, n_options
+   public :: user_contact, check_user_contact, user_contact_failure, words_length
+   public :: n_unknowns, n_history, n_properties, n_options
    public :: option_normal_law, option_spot_law, option_axis, option_voltage, option_rotations
    public :: history_side, history_gap, history_force, history_resistance, history_current, history_energy
    ! what `info` may be
    public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
-      contact_not_converged, contact_unknown_law, contact_bad_data
+      contact_not_converged, contact_unknown_law, contact_bad_data, contact_compacts
 
    integer, parameter :: n_unknowns = 28
    !> Numbers that are kept for each element. The side must be that of the last converged state; the others are
@@ -36,6 +40,9 @@ module litz_user_element
    !> components of rotation vectors)
    integer, parameter :: n_options = 5, option_normal_law = 1, option_spot_law = 2, option_axis = 3, &
       option_voltage = 4, option_rotations = 5
+
+   !> Length of what `check_user_contact` and `user_contact_failure` say
+   integer, parameter :: words_length = 100
 
    !> Places of the unknowns of each node among those of `contact_em`
    integer, parameter :: place(7, 4) = reshape([ &
@@ -89,6 +96,141 @@ contains
       history(history_current) = contact%current
       history(history_energy) = contact%energy
    end subroutine user_contact
+
+   !> What is wrong with the input of an element, for the host to say; blank: nothing.
+   !>
+   !> Hosts fill what is missing with zeros, so that values are checked.
+   pure function check_user_contact(coordinates, properties, options) result(words)
+      !> Positions of the nodes before loading (3, 4) [m]
+      real(dp), intent(in) :: coordinates(3, 4)
+      !> Properties (`n_properties` and more)
+      real(dp), intent(in) :: properties(:)
+      !> Options (`n_options`)
+      integer, intent(in) :: options(:)
+      character(len=words_length) :: words
+
+      words = ''
+      if (size(properties) < n_properties) then
+         words = 'fewer than 10 real properties: radii, moduli, ratios, resistivities, penalty, datum of the spot'
+      else if (size(options) < n_options) then
+         words = 'fewer than 5 options: normal law, spot law, axis, voltage, rotations'
+      else if (.not. all(is_positive(properties(1:2)))) then
+         words = 'properties 1 and 2, the radii of the barred and the unbarred wire, must be greater than 0'
+      else if (.not. all(is_positive(properties(3:4)))) then
+         words = 'properties 3 and 4, the Young''s moduli of the wires, must be greater than 0'
+      else if (.not. all(is_positive(properties(5:6) + 1) .and. is_positive(0.5_dp - properties(5:6)))) then
+         words = 'properties 5 and 6, the Poisson''s ratios of the wires, must be between -1 and 0.5'
+      else if (.not. all(is_positive(properties(7:8)))) then
+         words = 'properties 7 and 8, the resistivities of the wires, must be greater than 0'
+      else
+         words = check_laws(properties, options)
+         if (words == '') words = check_choices(options)
+         if (words == '' .and. .not. is_positive(norm2(coordinates(:, 2) - coordinates(:, 1)))) then
+           words = 'nodes 1 and 2, those of the barred wire, coincide'
+         end if
+         if (words == '' .and. .not. is_positive(norm2(coordinates(:, 4) - coordinates(:, 3)))) then
+           words = 'nodes 3 and 4, those of the unbarred wire, coincide'
+         end if
+      end if
+   end function check_user_contact
+
+   pure function check_laws(properties, options) result(words)
+      !> Properties (`n_properties` and more)
+      real(dp), intent(in) :: properties(:)
+      !> Options (`n_options`)
+      integer, intent(in) :: options(:)
+      character(len=words_length) :: words
+      type(contact_laws_t) :: laws
+      type(law_words_t) :: normal, spot
+
+      words = ''
+      laws%normal = normal_law(options(option_normal_law))
+      laws%spot = spot_law(options(option_spot_law))
+      normal = laws%normal%law_words_t
+      spot = laws%spot%law_words_t
+      if (.not. normal%exists()) then
+         words = 'option 1, the normal law, must be 1 (LINEAR) or 2 (HERTZ)'
+      else if (normal%n_fields() > 0 .and. .not. is_positive(properties(9))) then
+         words = 'property 9, the penalty of the normal law LINEAR, must be greater than 0'
+      else if (options(option_spot_law) /= 0 .and. .not. spot%exists()) then
+         words = 'option 2, the spot law, must be 0 (no current) or the number of a spot law'
+      else if (spot%has_table) then
+         words = check_table(properties(n_properties + 1:))
+      else
+         associate (needed => spot%n_fields() - count(spot%fields%is_optional))
+            if (size(properties) < n_properties - 1 + needed) then
+               words = 'properties 10, ..., the numbers of the spot law '//trim(spot%name)//', are missing'
+            else if (.not. all(is_positive(properties(10:9 + needed)))) then
+               words = 'properties 10, ..., the numbers of the spot law '//trim(spot%name)//', must be greater than 0'
+            end if
+         end associate
+      end if
+   end function check_laws
+
+   pure function check_table(pairs) result(words)
+      !> Forces [N] and resistances [ohm] in turn (n)
+      real(dp), intent(in) :: pairs(:)
+      character(len=words_length) :: words
+      integer :: n
+
+      n = size(pairs)/2
+      words = ''
+      if (n == 0 .or. size(pairs) /= 2*n) then
+         words = 'properties 11, 12, ... must be pairs of force and resistance of the spot law TABLE, at least one'
+      else if (.not. all(is_positive(pairs))) then
+         words = 'properties 11, 12, ..., forces and resistances of the spot law TABLE, must be greater than 0'
+      else if (any(pairs(3::2) <= pairs(1:2*n - 2:2))) then
+         words = 'properties 11, 13, ..., the forces of the spot law TABLE, must ascend'
+      end if
+   end function check_table
+
+   pure function check_choices(options) result(words)
+      !> Options (`n_options`)
+      integer, intent(in) :: options(:)
+      character(len=words_length) :: words
+
+      words = ''
+      if (all(options(option_axis) /= [axis_linear, axis_hermite])) then
+         words = 'option 3, the axis, must be 1 (linear) or 2 (Hermite)'
+      else if (all(options(option_voltage) /= [0, 1])) then
+         words = 'option 4, the voltage, must be 0 (linear) or 1 (corrected)'
+      else if (all(options(option_rotations) /= [0, 1])) then
+         words = 'option 5, the rotations, must be 0 (spins) or 1 (additive)'
+      end if
+   end function check_choices
+
+   !> Greater than zero, and neither infinite nor no number.
+   pure elemental logical function is_positive(value)
+      !> Any
+      real(dp), intent(in) :: value
+
+      is_positive = .false.
+      if (ieee_is_finite(value)) is_positive = value > 0
+   end function is_positive
+
+   !> What a negative `info` of `user_contact` means.
+   pure function user_contact_failure(info) result(words)
+      !> One of the constants
+      integer, intent(in) :: info
+      character(len=words_length) :: words
+
+      select case (info)
+      case (contact_parallel)
+         words = 'the wires overlap where their axes are parallel (crossing angle below 0.06 degrees)'
+      case (contact_not_unique)
+         words = 'the wires overlap, but their closest points are not unique'
+      case (contact_not_converged)
+         words = 'the closest points were not found: nodes that coincide, or unknowns that are no numbers'
+      case (contact_unknown_law)
+         words = 'there is no law with the number of option 1 or option 2'
+      case (contact_bad_data)
+         words = 'the forces of the spot law TABLE do not ascend, or are not positive'
+      case (contact_compacts)
+         words = 'the spot of wires that yield is too large for their thickness'
+      case default
+         words = ''
+      end select
+   end function user_contact_failure
 
    !> Positions and unit tangents of the nodes as they are now, and lengths as they were.
    pure subroutine present_shape(coordinates, u, x, t, length)

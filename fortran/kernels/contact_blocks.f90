@@ -6,12 +6,12 @@ module litz_contact_blocks
    use litz_kinds, only: dp
    use litz_contact_electricity, only: contact_electricity_t, current_of_spot, coupling_tangent
    use litz_contact_kinematics, only: contact_kinematics_t
-   use litz_contact_mechanics, only: contact_mechanics
+   use litz_contact_mechanics, only: contact_mechanics, mechanical_residual
    use litz_normal_law, only: force_of_gap_t
    use litz_spot_law, only: contact_spot_t
    implicit none
    private
-   public :: contact_blocks, electric_blocks, contact_force_t, spot_in_circuit_t
+   public :: contact_blocks, residual_blocks, electric_blocks, contact_force_t, spot_in_circuit_t
 
    !> The normal force as the residual and the tangent take it. An exact tangent has that of the law in all places; a
    !> mixed iteration linearises about a force of its own.
@@ -61,6 +61,23 @@ contains
          force%dforce_dangle)
       call electric_blocks(kinematics, v, force, circuit, k_me, k_ee, r_e, electricity)
    end subroutine contact_blocks
+
+   !> The residual alone.
+   pure subroutine residual_blocks(kinematics, v, force, circuit, r_m, r_e, electricity)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> Nodal voltages (4) [V]: barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: v(4)
+      type(contact_force_t), intent(in) :: force
+      type(spot_in_circuit_t), intent(in) :: circuit
+      !> Residual of the mechanics (24), and currents that leave the nodes (4) [A]
+      real(dp), intent(out) :: r_m(24), r_e(4)
+      type(contact_electricity_t), intent(out) :: electricity
+
+      r_m = mechanical_residual(kinematics, force%force)
+      call current_of_spot(kinematics, v, force%law, circuit%spot, circuit%follows, circuit%series_resistance, &
+         circuit%dconductance, electricity)
+      r_e = electricity%r_e
+   end subroutine residual_blocks
 
    !> The rows of the currents.
    pure subroutine electric_blocks(kinematics, v, force, circuit, k_me, k_ee, r_e, electricity)

@@ -21,15 +21,15 @@ module litz_contact_em
    use litz_contact_kinematics, only: contact_kinematics_t, contact_kinematics, kinematics_ok, kinematics_parallel
    use litz_end_kinematics, only: end_kinematics
    use litz_line_foot, only: line_foot, foot_inside, foot_beyond
-   use litz_contact_blocks, only: contact_blocks, contact_force_t, spot_in_circuit_t
+   use litz_contact_blocks, only: contact_blocks, residual_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_mechanics, only: form_spin
-   use litz_contact_turning, only: contact_turning, turning_t
-   use litz_rotation_forms, only: spin_to_rotation_vectors
+   use litz_contact_turning, only: contact_turning, turning_residual, turning_t
+   use litz_rotation_forms, only: spin_to_rotation_vectors, residual_to_rotation_vectors
    use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    implicit none
    private
-   public :: contact_em, contact_em_t, wire_pair_t, contact_laws_t
+   public :: contact_em, contact_em_residual, contact_em_t, wire_pair_t, contact_laws_t
    public :: contact_active, contact_open, contact_beyond, contact_parallel, contact_not_unique, &
       contact_not_converged, contact_unknown_law, contact_bad_data, contact_compacts
 
@@ -90,6 +90,18 @@ module litz_contact_em
       type(contact_electricity_t) :: electricity
    end type contact_em_t
 
+   !> What the force and the spot of a contact do.
+   type :: acting_t
+      type(contact_force_t) :: force
+      type(contact_spot_t) :: spot
+      !> The energy depends on the angle: there is a torque
+      logical :: turns = .false.
+      type(turning_t) :: turning
+   end type acting_t
+
+   !> First rotation of each node among the unknowns
+   integer, parameter :: rotations(4) = [4, 10, 16, 22]
+
 contains
 
    !> Tangent and residual of one pair of elements.
@@ -111,15 +123,77 @@ contains
       integer, intent(out) :: info
       !> Rotation vectors of the nodes (3, 4) [rad], when rotations are additive changes of these instead
       real(dp), intent(in), optional :: rotation_vectors(3, 4)
-      type(hertz_ellipse_t) :: ellipse
-      type(contact_spot_t) :: spot
-      type(force_of_gap_t) :: normal, of_spot
+      type(acting_t) :: acting
       real(dp) :: k_mm(24, 24), r_m(24), k_me(4, 24), k_ee(4, 4), r_e(4), k_turning(24, 24), r_turning(24)
-      integer :: law_info
-      logical :: is_round(2)
 
       k = 0
       r = 0
+      call find_what_acts(x, t, length, wires, laws, side, contact, acting, info)
+      if (info /= contact_active) return
+
+      call contact_blocks(contact%kinematics, t, v, acting%force, &
+         spot_in_circuit_t(acting%spot, series_resistance=wires%series_resistance), form_spin, k_mm, r_m, k_me, k_ee, &
+         r_e, contact%electricity)
+      if (acting%turns) then
+         call contact_turning(contact%kinematics, x, t, length, laws%axis, acting%turning, form_spin, k_turning, &
+            r_turning)
+         k_mm = k_mm + k_turning
+         r_m = r_m + r_turning
+      end if
+      k(1:24, 1:24) = k_mm
+      k(25:28, 1:24) = k_me
+      k(25:28, 25:28) = k_ee
+      r = [r_m, r_e]
+      if (present(rotation_vectors)) call spin_to_rotation_vectors(k, r, rotation_vectors, rotations)
+      call describe_current(acting%spot, contact)
+   end subroutine contact_em
+
+   !> The residual alone, to the last bit that of `contact_em`.
+   pure subroutine contact_em_residual(x, t, length, v, wires, laws, side, r, contact, info, rotation_vectors)
+      !> As of `contact_em`
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2), v(4)
+      type(wire_pair_t), intent(in) :: wires
+      type(contact_laws_t), intent(in) :: laws
+      !> Remembered orientation +1 or -1, or 0, see contact_kinematics
+      integer, intent(in) :: side
+      !> Residual (28)
+      real(dp), intent(out) :: r(28)
+      type(contact_em_t), intent(out) :: contact
+      !> One of the constants above
+      integer, intent(out) :: info
+      !> As of `contact_em`
+      real(dp), intent(in), optional :: rotation_vectors(3, 4)
+      type(acting_t) :: acting
+      real(dp) :: r_m(24), r_e(4)
+
+      r = 0
+      call find_what_acts(x, t, length, wires, laws, side, contact, acting, info)
+      if (info /= contact_active) return
+      call residual_blocks(contact%kinematics, v, acting%force, &
+         spot_in_circuit_t(acting%spot, series_resistance=wires%series_resistance), r_m, r_e, contact%electricity)
+      if (acting%turns) r_m = r_m + turning_residual(contact%kinematics, acting%turning)
+      r = [r_m, r_e]
+      if (present(rotation_vectors)) call residual_to_rotation_vectors(r, rotation_vectors, rotations)
+      call describe_current(acting%spot, contact)
+   end subroutine contact_em_residual
+
+   !> The points that touch, the force between them, and the spot that it makes.
+   pure subroutine find_what_acts(x, t, length, wires, laws, side, contact, acting, info)
+      !> As of `contact_em`
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      type(wire_pair_t), intent(in) :: wires
+      type(contact_laws_t), intent(in) :: laws
+      !> Remembered orientation +1 or -1, or 0, see contact_kinematics
+      integer, intent(in) :: side
+      type(contact_em_t), intent(out) :: contact
+      type(acting_t), intent(out) :: acting
+      !> One of the constants above
+      integer, intent(out) :: info
+      type(hertz_ellipse_t) :: ellipse
+      type(force_of_gap_t) :: normal, of_spot
+      integer :: law_info
+      logical :: is_round(2)
+
       is_round = laws%ends /= 0
       if (any(is_round)) then
          call find_contact_at_ends(x, t, length, laws%axis, wires%radius, laws%ends, contact, info)
@@ -144,14 +218,14 @@ contains
       contact%force = normal%force
       contact%energy = normal%energy
 
-      ! ... makes the spot ...
+      ! ... makes the spot
       of_spot = normal
       if (laws%normal%yields()) then
-         call find_yielded_spot(wires, laws, ellipse, contact, spot, info)
+         call find_yielded_spot(wires, laws, ellipse, contact, acting%spot, info)
          if (info /= contact_active) return
       end if
       if (.not. (laws%normal%yields() .and. laws%spot%is_of_mechanics)) then
-         call contact_spot(laws%spot, contact%force, wires, ellipse, spot, law_info)
+         call contact_spot(laws%spot, contact%force, wires, ellipse, acting%spot, law_info)
          if (law_info == spot_bad_data) info = contact_bad_data
          if (law_info /= spot_ok) return
       else
@@ -159,30 +233,22 @@ contains
          of_spot = force_of_gap_t(normal%force, -1.0_dp)
       end if
       info = contact_active
+      acting%force = contact_force_t(contact%force, contact%force, -normal%dforce_dgap, normal%dforce_dangle, of_spot)
+      acting%turns = abs(normal%denergy_dangle) > 0 .or. abs(normal%d2energy_dangle2) > 0
+      acting%turning = turning_t(normal%denergy_dangle, normal%d2energy_dangle2, normal%dforce_dangle, normal%growth)
+   end subroutine find_what_acts
 
-      ! ... and the spot carries the current
-      call contact_blocks(contact%kinematics, t, v, &
-         contact_force_t(contact%force, contact%force, -normal%dforce_dgap, normal%dforce_dangle, of_spot), &
-         spot_in_circuit_t(spot, series_resistance=wires%series_resistance), form_spin, k_mm, r_m, k_me, k_ee, r_e, &
-         contact%electricity)
-      if (abs(normal%denergy_dangle) > 0 .or. abs(normal%d2energy_dangle2) > 0) then
-         call contact_turning(contact%kinematics, x, t, length, laws%axis, turning_t(normal%denergy_dangle, &
-            normal%d2energy_dangle2, normal%dforce_dangle, normal%growth), form_spin, k_turning, r_turning)
-         k_mm = k_mm + k_turning
-         r_m = r_m + r_turning
-      end if
-      k(1:24, 1:24) = k_mm
-      k(25:28, 1:24) = k_me
-      k(25:28, 25:28) = k_ee
-      r = [r_m, r_e]
-      if (present(rotation_vectors)) call spin_to_rotation_vectors(k, r, rotation_vectors, [4, 10, 16, 22])
+   !> The spot and what flows through it.
+   pure subroutine describe_current(spot, contact)
+      type(contact_spot_t), intent(in) :: spot
+      type(contact_em_t), intent(inout) :: contact
 
       contact%semi_major = spot%semi_major
       contact%semi_minor = spot%semi_minor
       if (spot%conductance > 0) contact%resistance = 1/spot%conductance
       contact%current = contact%electricity%current
       contact%voltage_gap = contact%electricity%voltage_gap
-   end subroutine contact_em
+   end subroutine describe_current
 
    !> The dent and the spot of wires that yield. Source: theory section 15.
    pure subroutine find_yielded_spot(wires, laws, ellipse, contact, spot, info)

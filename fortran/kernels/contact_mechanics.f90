@@ -8,7 +8,7 @@ module litz_contact_mechanics
    use litz_contact_kinematics, only: contact_kinematics_t
    implicit none
    private
-   public :: contact_mechanics, form_spin, form_hessian
+   public :: contact_mechanics, mechanical_residual, form_spin, form_hessian
 
    !> Derivative with respect to spins (unsymmetric), or to the rotation vectors of an increment at zero (symmetric);
    !> see litz_rotation_forms
@@ -37,7 +37,7 @@ contains
       real(dp) :: left(24, 5), right(24, 5)
       integer :: j
 
-      r = -force*kinematics%dgap                                                        ! R_m = -F b
+      r = mechanical_residual(kinematics, force)
       call factors_of_tangent(kinematics, stiffness, geometric_force, left, right)
       if (abs(dforce_dangle) > 0) right(:, 5) = right(:, 5) - dforce_dangle*kinematics%dangle
       do j = 1, 24
@@ -46,6 +46,16 @@ contains
       end do
       call add_turning_tangents(kinematics, t, geometric_force, form, k)
    end subroutine contact_mechanics
+
+   !> `R_m = -F b` (24).
+   pure function mechanical_residual(kinematics, force) result(r)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      !> [N], pushing the wires apart
+      real(dp), intent(in) :: force
+      real(dp) :: r(24)
+
+      r = -force*kinematics%dgap                                                        ! R_m = -F b
+   end function mechanical_residual
 
    !> `stiffness b b^T - F d2g` as the product of two matrices of five columns: B (2), Q (2) and b.
    pure subroutine factors_of_tangent(kinematics, stiffness, geometric_force, left, right)

@@ -17,7 +17,7 @@ module litz_contact_turning
    use litz_contact_mechanics, only: form_hessian
    implicit none
    private
-   public :: contact_turning, turning_t
+   public :: contact_turning, turning_residual, turning_t
 
    !> Energy of a contact by the angle between the axes.
    type :: turning_t
@@ -56,7 +56,7 @@ contains
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
       integer :: j
 
-      r = turning%denergy*kinematics%dangle                                                ! R = Pi_psi dpsi
+      r = turning_residual(kinematics, turning)
       k = 0
       if (.not. any(abs(kinematics%dangle) > 0)) return
       call add_second_variation(kinematics, x, t, length, axis, turning%denergy, k)
@@ -66,6 +66,15 @@ contains
             - (turning%dforce + turning%growth)*kinematics%dgap(j))
       end do
    end subroutine contact_turning
+
+   !> Residual of the angle (24).
+   pure function turning_residual(kinematics, turning) result(r)
+      type(contact_kinematics_t), intent(in) :: kinematics
+      type(turning_t), intent(in) :: turning
+      real(dp) :: r(n_motions)
+
+      r = turning%denergy*kinematics%dangle                                                ! R = Pi_psi dpsi
+   end function turning_residual
 
    !> `moment d2psi` in the spin form.
    pure subroutine add_second_variation(kinematics, x, t, length, axis, moment, k)

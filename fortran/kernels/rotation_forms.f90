@@ -14,7 +14,7 @@ module litz_rotation_forms
    use litz_rotations, only: skew, spin_tangent, spin_tangent_transpose_derivative
    implicit none
    private
-   public :: hessian_to_spin, spin_to_hessian, spin_to_rotation_vectors
+   public :: hessian_to_spin, spin_to_hessian, spin_to_rotation_vectors, residual_to_rotation_vectors
 
 contains
 
@@ -89,5 +89,22 @@ contains
          r(i:j) = matmul(r(i:j), t)
       end do
    end subroutine spin_to_rotation_vectors
+
+   !> The residual alone: `r_phi = T^T r`.
+   pure subroutine residual_to_rotation_vectors(r, phi, first)
+      !> Residual (n): moments conjugate to spins in, conjugate to `phi` out
+      real(dp), intent(inout) :: r(:)
+      !> Rotation vector of each node (3, number of nodes) [rad]
+      real(dp), intent(in) :: phi(:, :)
+      !> Position of the first rotation unknown of each node (number of nodes)
+      integer, intent(in) :: first(:)
+      integer :: node, i, j
+
+      do node = 1, size(first)
+         i = first(node)
+         j = i + 2
+         r(i:j) = matmul(r(i:j), spin_tangent(phi(:, node)))
+      end do
+   end subroutine residual_to_rotation_vectors
 
 end module litz_rotation_forms

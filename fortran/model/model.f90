@@ -24,7 +24,7 @@ module litz_model
    public :: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
-   public :: shear_given, shear_round, shear_unreduced
+   public :: shear_given, shear_round, shear_by_factors
    public :: dof_potential, dof_temperature, factor_at, leave_step, radius_at, radius_course, ramp_at
    public :: has_element_loads
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
@@ -37,7 +37,7 @@ module litz_model
    integer, parameter :: dof_temperature = fields(field_temperature)%first_dof
 
    !> Shear stiffness: given, of a round wire, of the whole area
-   integer, parameter :: shear_given = 0, shear_round = 1, shear_unreduced = 2
+   integer, parameter :: shear_given = 0, shear_round = 1, shear_by_factors = 2
 
    !> Groups of fields in one Newton step; each after those that it depends on; or one after the other again and again,
    !> because they act back on those before them
@@ -100,6 +100,10 @@ module litz_model
       real(dp) :: ga2 = 0, ga3 = 0
       !> How these follow from the elasticity: one of `shear_...`
       integer :: shear = shear_given
+      !> `shear_by_factors`: shear stiffness over G A, along the first and the second axis
+      real(dp) :: shear_factor(2) = 1
+      !> Largest distances of its corners along these axes, and its outer radius where it is round [m]; 0: not known
+      real(dp) :: corner(2) = 0, outer_radius = 0
       !> Approximate direction of the first section axis; 0 0 0: chosen by the program
       real(dp) :: n1(3) = 0
       !> Conduction along the current instead of the reference length
@@ -261,7 +265,8 @@ module litz_model
       real(dp) :: largest_change = 0, largest_error = 0
       !> The step ends as soon as no temperature changes faster [K/s]; 0: at its time
       real(dp) :: steady_rate = 0
-      logical :: nlgeom = .true.
+      !> The deck says that displacements are large, as they are in every step
+      logical :: nlgeom = .false.
       integer :: max_increments = 100
       !> First, total, smallest and largest increment of time
       real(dp) :: first = 1, total = 1, smallest = 1.0e-5_dp, largest = 1

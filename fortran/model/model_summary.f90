@@ -19,7 +19,7 @@ module litz_model_summary
    use litz_unit_labels, only: unit_labels_t
    implicit none
    private
-   public :: model_summary
+   public :: model_summary, displacements_line
 
    character(len=1), parameter :: nl = new_line('a')
    !> Most sets that are listed one by one
@@ -66,6 +66,7 @@ contains
       do i = 1, size(model%surface_pairs)
          call summary%append(surface_pair_line(model, i))
       end do
+      call summary%append(displacements_line(model))
       do i = 1, size(model%steps)
          call summary%append(step_lines(model, i))
       end do
@@ -357,6 +358,21 @@ contains
          end do
       end associate
    end function step_lines
+
+   !> A line for decks with a step that does not say NLGEOM, whose displacements are small in Abaqus and CalculiX; else
+   !> empty.
+   pure function displacements_line(model) result(line)
+      type(model_t), intent(in) :: model
+      character(len=:), allocatable :: line
+      integer :: i
+
+      line = ''
+      do i = 1, size(model%steps)
+         if (model%steps(i)%nlgeom .or. .not. model%steps(i)%solves(field_displacement)) cycle
+         line = 'displacements are large in every step, with or without NLGEOM'//nl
+         return
+      end do
+   end function displacements_line
 
    pure function describe_solver(step) result(words)
       type(step_t), intent(in) :: step

@@ -31,20 +31,21 @@ contains
       dshear = shear*(dyoung/young - dpoisson/(1 + poisson))                       ! of G
       slope = [dyoung*section%area, 0.0_dp, 0.0_dp, dshear*section%j, dyoung*section%i2, dyoung*section%i3]
       if (section%shear == shear_given) return
-      slope(2:3) = dshear*section%area
+      slope(2:3) = dshear*section%area*section%shear_factor
       if (section%shear == shear_round) slope(2:3) = shear_stiffness(section, young, poisson) &
          *(dyoung/young - 6*dpoisson/(7 + 6*poisson))                              ! of 3 E A/(7 + 6 nu)
    end function section_stiffness_slope
 
-   !> Of sections whose shear stiffness is not given [N]. Source of the factor of round wires: Cowper, J. Appl. Mech. 33
+   !> Along both axes, of sections whose shear stiffness is not given (2) [N]. Source of the factor of round wires:
+   !> Cowper, J. Appl. Mech. 33
    !> (1966) 335-340.
-   pure real(dp) function shear_stiffness(section, young, poisson) result(stiffness)
+   pure function shear_stiffness(section, young, poisson) result(stiffness)
       type(section_t), intent(in) :: section
       !> Young's modulus [Pa] and Poisson's ratio
       real(dp), intent(in) :: young, poisson
-      real(dp) :: shear_factor
+      real(dp) :: stiffness(2), shear_factor(2)
 
-      shear_factor = 1
+      shear_factor = section%shear_factor
       if (section%shear == shear_round) shear_factor = 6*(1 + poisson)/(7 + 6*poisson)
       stiffness = shear_factor*young/(2*(1 + poisson))*section%area
    end function shear_stiffness

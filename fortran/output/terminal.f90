@@ -3,6 +3,7 @@ module litz_terminal
    use, intrinsic :: iso_fortran_env, only: output_unit
    use litz_available_memory, only: memory_text
    use litz_model, only: model_t, request_contact
+   use litz_model_summary, only: displacements_line
    use litz_problem, only: problem_t
    use litz_reports, only: increment_report_t
    use litz_text, only: plural
@@ -18,6 +19,7 @@ contains
       type(model_t), intent(in) :: model
 
       if (allocated(model%heading)) write (output_unit, '(a)') trim(model%heading)
+      write (output_unit, '(a)', advance='no') displacements_line(model)
       write (output_unit, '(a)') model%units%in_header( &
          ' step   inc  att iters     time [s]  increment [s]  contacts  sum of F [N]')
    end subroutine print_header

@@ -14,6 +14,9 @@ module litz_diagnosis
    private
    public :: not_converged
 
+   !> An increment of less than this part of the first one has come from cut-backs before
+   real(dp), parameter :: cut_often = 0.1_dp
+
 contains
 
    !> The error that ends the run. The problem holds the iterate that was given up.
@@ -37,7 +40,8 @@ contains
       error = fail(exit_not_converged, 'step '//to_text(outcome%last%step)//', increment '// &
          to_text(outcome%last%increment)//failure//to_text(step_time)// &
          ' with an increment of '//to_text(increment)//': '//outcome%reason//'. '//contact// &
-         describe_cause(problem, step, outcome, attempts)//describe_limit(step, outcome, attempts))
+         describe_cause(problem, step, outcome, attempts > 1 .or. increment < cut_often*step%first)// &
+         describe_limit(step, outcome, attempts))
    end function not_converged
 
    !> The contact whose force the iteration was least sure of; empty: there is none.
@@ -59,12 +63,12 @@ contains
    end function describe_worst_contact
 
    !> What the iteration failed of, and what helps.
-   function describe_cause(problem, step, outcome, attempts) result(text)
+   function describe_cause(problem, step, outcome, was_cut) result(text)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
       type(outcome_t), intent(in) :: outcome
-      !> Attempts at this increment
-      integer, intent(in) :: attempts
+      !> Smaller increments have been tried
+      logical, intent(in) :: was_cut
       character(len=:), allocatable :: text
 
       text = ''
@@ -93,7 +97,7 @@ contains
          else if (outcome%last%contacts_new + outcome%last%contacts_lost > 0) then
             text = to_text(outcome%last%contacts_new)//' contacts closed and '// &
                to_text(outcome%last%contacts_lost)//' opened in the last iteration: they need smaller increments. '
-         else if (attempts > 1) then
+         else if (was_cut) then
             text = 'Smaller increments did not help: where wires are about to snap or to slip off each other,'// &
                ' damp that (*CONTROLS, PARAMETERS=STABILIZE), or add friction (*FRICTION). '
          else if (still_converges(outcome)) then

@@ -13,8 +13,8 @@ module litz_steps
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
    use litz_line_contact, only: serves_lines
-   use litz_model, only: model_t, step_t, nodal_value_t, coupling_default, coupling_swept, coupling_full, &
-      ramp_at
+   use litz_model, only: model_t, step_t, nodal_value_t, coupling_default, coupling_updated, coupling_swept, &
+      coupling_full, ramp_at
    use litz_negative_pivots, only: count_negative_pivots, begins_elsewhere
    use litz_newton, only: solve_increment
    use litz_outcome, only: outcome_t, cause_not_finite, cause_large_change, cause_lost_contact, &
@@ -124,15 +124,15 @@ contains
       problem%has_factor = .false.
    end subroutine begin_step
 
-   !> Motions and temperatures take turns unless the deck asks for one Newton step, and so do motions and potentials
+   !> Motions and temperatures have one Newton step unless the deck asks for turns, and so have motions and potentials
    !> where currents move wires in a magnetic field; temperatures alone have the iteration of a turn.
    pure integer function coupling_of(step) result(coupling)
       type(step_t), intent(in) :: step
 
       coupling = step%coupling
       if (step%solves(field_temperature) .or. any(step%element_loads%kind == load_lorentz)) then
-         coupling = coupling_swept
-         if (step%solves(field_displacement) .and. step%coupling == coupling_full) coupling = coupling_full
+         coupling = merge(coupling_full, coupling_swept, step%solves(field_displacement) .and. &
+            step%coupling /= coupling_updated)
       else if (coupling == coupling_full) then
          coupling = coupling_default
       end if

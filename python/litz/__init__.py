@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 accept_old_names()
 
 # Loaded on first use, so that starting the program does not wait for HDF5, VTK and numpy.
-_LAZY_MODULES = ("build", "closed_forms", "kernels", "model", "percolation", "plots", "results")
+_LAZY_MODULES = ("build", "closed_forms", "hosts", "kernels", "model", "percolation", "plots", "results")
 _MODEL_NAMES = (
     "COPPER",
     "Circular",

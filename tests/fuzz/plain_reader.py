@@ -63,6 +63,36 @@ def values(line):
     return found
 
 
+def shape_of(word, given):
+    """Contact radius, and A, I11, I22, J of a cross-section."""
+    if word == "CIRC":
+        (r,) = given
+        return r, [math.pi * r**2, math.pi * r**4 / 4, math.pi * r**4 / 4, math.pi * r**4 / 2]
+    if word == "PIPE":
+        r, inner = given[0], given[0] - given[1]
+        bending = math.pi * (r**4 - inner**4) / 4
+        return 0.0, [math.pi * (r**2 - inner**2), bending, bending, 2 * bending]
+    if word == "RECT":
+        a, b = given
+        short, long = sorted(given)
+        series = sum(math.tanh(n * math.pi * long / 2 / short) / n**5 for n in range(1, 240, 2))
+        torsion = long * short**3 / 3 * (1 - 192 * short / math.pi**5 / long * series)
+        return 0.0, [a * b, a * b**3 / 12, b * a**3 / 12, torsion]
+    if word == "BOX":
+        a, b, t1, t2 = given[:4]
+        inner = a - 2 * t1, b - 2 * t2
+        area, bending = a * b - inner[0] * inner[1], (a * b**3 - inner[0] * inner[1] ** 3) / 12
+        around = 2 * (b - t2) / t1 + 2 * (a - t1) / t2
+        return 0.0, [area, bending, (b * a**3 - inner[1] * inner[0] ** 3) / 12, 4 * ((a - t1) * (b - t2)) ** 2 / around]
+    if word == "I":
+        _, h, b, _, flange, _, web = given
+        clear = h - 2 * flange
+        bending = (b * h**3 - (b - web) * clear**3) / 12
+        across = (2 * flange * b**3 + clear * web**3) / 12
+        return 0.0, [2 * b * flange + clear * web, bending, across, (2 * b * flange**3 + (h - flange) * web**3) / 3]
+    return 0.0, [given[0], given[1], given[3], given[4]]
+
+
 def number(text):
     """Zero has no sign in litz."""
     return float(re.sub("[dD]", "e", text)) + 0.0
@@ -210,14 +240,12 @@ class PlainReader:
             name = capitals(parameters["ELSET"])
             self.section_of |= dict.fromkeys(self.sets["ELSET"][name], n)
             given = [number(value) for value in values(data[0])]
-            if squeezed(parameters["SECTION"]) == "CIRC":
-                (r,) = given
-                contact_radius, shape = r, [math.pi * r**2, math.pi * r**4 / 4, math.pi * r**4 / 4, math.pi * r**4 / 2]
-            else:
-                contact_radius, shape = 0.0, [given[0], given[1], given[3], given[4]]
+            contact_radius, shape = shape_of(squeezed(parameters["SECTION"]), given)
             if "CONTACTRADIUS" in parameters:
                 contact_radius = number(parameters["CONTACTRADIUS"])
             n1 = [number(value) for value in values(data[1])] if len(data) > 1 else [0.0, 0.0, 0.0]
+            if len(data) == 1 and squeezed(parameters["SECTION"]) in ("RECT", "BOX", "I"):
+                n1 = [0.0, 0.0, -1.0]
             material = self.names["MATERIAL"].index(capitals(parameters["MATERIAL"])) + 1
             current = int(squeezed(parameters.get("CONDUCTION", "")) == "CURRENTLENGTH")
             found.append(f"section {name}{show([material, current, contact_radius, *n1])} ")

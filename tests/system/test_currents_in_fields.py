@@ -37,7 +37,9 @@ def fed(node, current=CURRENT):
 
 
 COUPLINGS = pytest.mark.parametrize(
-    "solver", ["", "*SOLVER, NAME=BLOCK, COUPLING=FULL\n", "*SOLVER, NAME=UMFPACK\n"], ids=["turns", "full", "UMFPACK"]
+    "solver",
+    ["*SOLVER, NAME=BLOCK, COUPLING=UPDATED\n", "", "*SOLVER, NAME=UMFPACK\n"],
+    ids=["turns", "full", "UMFPACK"],
 )
 
 
@@ -104,7 +106,7 @@ def test_a_loop_in_a_field_that_changes_feels_its_moment_times_the_gradient(run)
 def test_contacts_pass_the_current_that_the_field_pulls(run):
     """Two crossing wires: the reaction is that of the currents found, whose contact the field itself changes."""
     cards = "*LORENTZ\n WIRES, 0.02, 0.03, 0.01"
-    both = [finished(run, crossed(extra=cards + solver)) for solver in ("", "\n*SOLVER, NAME=BLOCK, COUPLING=FULL")]
+    both = [finished(run, crossed(extra=cards + solver)) for solver in ("", "\n*SOLVER, NAME=BLOCK, COUPLING=UPDATED")]
     current, total = both[0].field("element_current"), np.zeros(3)
     points, b = both[0].positions(-1), np.array([0.02, 0.03, 0.01])
     # of each wire, elements between neighbours

@@ -93,7 +93,8 @@ def test_each_value_is_answered_by_its_advice(litz, tmp_path, rows, keywords):
             for word in words_of(lacking):
                 n_tried += 1
                 node = "1, " if owner == "*BOUNDARY" else ""
-                told = answer(litz, tmp_path, keywords[owner[1:]], [f"{owner}, NSET=ALL", f"{node}{word}"])
+                card = {"*NODE PRINT": f"{owner}, NSET=ALL", "*EL PRINT": f"{owner}, ELSET=ALL"}.get(owner, owner)
+                told = answer(litz, tmp_path, keywords[owner[1:]], [card, f"{node}{word}"])
                 assert f'found "{word}"; {advice}' in told
     assert n_tried > 60
 

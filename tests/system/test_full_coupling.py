@@ -8,7 +8,7 @@ from run_of_deck import run_of_deck
 from test_coupled_temperatures import CRITICAL, RADIUS, motion_solves, voltage_for
 from test_coupled_temperatures import deck as wire
 
-FULL = "*SOLVER, NAME=BLOCK, COUPLING=FULL\n"
+TURNS, FULL = "*SOLVER, NAME=BLOCK, COUPLING=UPDATED\n", "*SOLVER, NAME=BLOCK, COUPLING=FULL\n"
 COUPLED = "*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE, ELECTRICAL"
 
 
@@ -115,21 +115,27 @@ def test_it_converges_quadratically_in_the_factorisations_of_the_motions_alone(r
         ]
         assert max(rates) > 1.7, (field, part)
     assert full.contacts_at(-1)["temperature_max"][0] > 350
-    turns = run(solver="")
+    turns = run(solver=TURNS)
     assert_same(full, turns)
     assert solves < motion_solves(tmp_path)
     run(solver="", procedure="*STATIC")
     assert solves <= motion_solves(tmp_path) + 3 * increments
 
 
+def test_it_is_the_default(run):
+    full, default = run(), run(solver="")
+    np.testing.assert_array_equal(default.status["iterations"], full.status["iterations"])
+    np.testing.assert_array_equal(default.field("temperature"), full.field("temperature"))
+
+
 def test_a_mat_is_that_of_turns(litz, tmp_path, results_of):
-    turns = results_of("21_heated_mat")
-    text = turns.deck
+    full = results_of("21_heated_mat")
+    text = full.deck
     place = text.index("*BOUNDARY", text.index("*COUPLED"))
-    (tmp_path / "full.inp").write_text(text[:place] + FULL + text[place:])
-    done = litz("run", tmp_path / "full.inp", "-o", tmp_path / "full", "--quiet")
+    (tmp_path / "turns.inp").write_text(text[:place] + TURNS + text[place:])
+    done = litz("run", tmp_path / "turns.inp", "-o", tmp_path / "turns", "--quiet")
     assert done.returncode == 0, done.stderr
-    full = Results(tmp_path / "full")
+    turns = Results(tmp_path / "turns")
     assert_same(full, turns)
     assert full.status["iterations"].sum() < 0.75 * turns.status["iterations"].sum()
 

@@ -80,10 +80,13 @@ def forms(litz):
             if any(value["kind"] == "text" for value in form["values"]):
                 continue
             card = card_of(keyword, form["when"])
+            unsaid = [one for one in keyword["parameters"] if f"{one['name']}=" not in card]
+            defaults = [f"{one['name']}={one['default']}" for one in unsaid]
             before = [
                 other
                 for other in keyword["data"]
-                if other["first"] < form["first"] and (other["when"] in (form["when"], None) or other["when"] in card)
+                if other["first"] < form["first"]
+                and (other["when"] in (form["when"], None, *defaults) or other["when"] in card)
             ]
             yield keyword, form, [", ".join(good(value) for value in other["values"]) for other in before]
 

@@ -232,7 +232,7 @@ class TestCapacity:
         (dict(conductivity=0), "conductivity must be greater than 0"),
         (dict(conductivity=[[1, 2], [1, 0]]), "the values of conductivity must be greater than 0"),
         (dict(resistivity=[[2, 1], [1, 1]]), "the temperatures of resistivity must ascend"),
-        (dict(resistivity=[1, 2]), r"resistivity must be a number or have shape \(2, n\)"),
+        (dict(resistivity=[[1, 2]]), r"resistivity must be a number or have shape \(2, n\)"),
         (dict(heat_fraction=1.1), "heat_fraction must be from 0 to 1"),
         (dict(film=-1), "film must not be negative"),
         (dict(sink=np.nan), "sink must be finite"),

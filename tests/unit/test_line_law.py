@@ -258,7 +258,7 @@ class TestWhatIsRefused:
             (dict(angle=-0.1), "angle must be from 0"),
             (dict(film=-1.0), "film must not be negative"),
             (dict(force_per_length=np.nan), "force_per_length must be finite"),
-            (dict(force_per_length=[[1.0]]), "force_per_length must have shape"),
+            (dict(force_per_length="much"), "force_per_length must be an array of real numbers"),
             (dict(radius=[1.0, 2.0, 3.0]), r"radius must have shape \(2,\)"),
         ],
     )

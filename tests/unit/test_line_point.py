@@ -334,7 +334,7 @@ class TestWhatIsRefused:
             (dict(xi=1.1), "xi must be from -1 to 1"),
             (dict(weight=0.0), "weight must be greater than 0"),
             (dict(x=np.zeros((3, 3))), r"x must have shape \(4, 3\)"),
-            (dict(t=np.ones((4, 3))), "t must have rows of unit length"),
+            (dict(t=np.ones((4, 3))), r"t\[0\] must have unit length"),
             (dict(length=[1.0, 0.0]), "length must be greater than 0"),
             (dict(eps_l=-1.0), "eps_l must be greater than 0"),
             (dict(hardness=0.0), "hardness must be greater than 0"),
@@ -342,7 +342,7 @@ class TestWhatIsRefused:
             (dict(angle=4.0), "angle must be from 0"),
             (dict(axis="cubic"), "axis must be one of"),
             (dict(series_resistance=[-1.0, 0.0]), "series_resistance must not be negative"),
-            (dict(radius=[[1e-3, 1e-3]]), r"radius must have shape \(2,\)"),
+            (dict(radius=[1e-3] * 3), r"radius must have shape \(2,\)"),
             (dict(x=[[0, 0, 1e-3]] * 2 + [[0, 0, 0], [1e-3, 0, 0]], axis="linear"), "the foot was not found"),
             (dict(x=[[-2e-3, 0, 0], [2e-3, 0, 0]] * 2), "the axes meet"),
         ],
@@ -360,7 +360,7 @@ class TestWhatIsRefused:
 
     def test_one_of_many_is_named(self):
         arguments = parallel()
-        with pytest.raises(ValueError, match="point 1: weight must be greater than 0"):
+        with pytest.raises(ValueError, match=r"weight\[1\] must be greater than 0"):
             line_point(**arguments | dict(x=[arguments["x"]] * 2, weight=[1.0, -1.0]), xi=0.0)
         with pytest.raises(ValueError, match="point 1: the axes meet"):
             line_point(**arguments | dict(x=[arguments["x"], [[-2e-3, 0, 0], [2e-3, 0, 0]] * 2]), xi=0.0)

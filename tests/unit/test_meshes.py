@@ -123,7 +123,7 @@ def test_a_real_deck_of_beamme_is_read(tmp_path):
 
 
 def test_sections_and_materials_of_a_deck_make_a_model(file):
-    mesh = litz.read_mesh(file(BEAMME + SECTIONS, "beams.inp"))
+    mesh = litz.read_mesh(file(BEAMME + SECTIONS, "beams.inp"), dialect="abaqus")
     model = litz.Model("from Abaqus")
     first, second = model.mesh(mesh)
     assert (first.name, first.radius, second.name, second.radius) == ("first", 1e-3, "second", 2e-3)
@@ -132,6 +132,48 @@ def test_sections_and_materials_of_a_deck_make_a_model(file):
     assert deck.card("ELEMENT", elset="second").data == [[3, 4, 5], [4, 5, 6]]
     assert deck.card("ELSET", elset="copper").data == [[1, 2, 3, 4]]
     assert deck.card("NSET", nset="left").data == [[1]]
+
+
+def test_a_round_section_has_a_radius_in_abaqus_and_a_diameter_in_calculix(file):
+    deck = file(BEAMME + SECTIONS, "beams.inp")
+    with pytest.raises(
+        ValueError, match=r"ELSET=first, SECTION=CIRC is the radius in Abaqus, but the diameter in CalculiX"
+    ):
+        litz.read_mesh(deck)
+    radii = {
+        dialect: [section.radius for _, section, _ in litz.read_mesh(deck, dialect=dialect).sections]
+        for dialect in ("abaqus", "ccx")
+    }
+    assert radii == {"abaqus": [1e-3, 2e-3], "ccx": [0.5e-3, 1e-3]}
+    with pytest.raises(ValueError, match="'abaqus' or 'ccx', not 'nastran'"):
+        litz.read_mesh(deck, dialect="nastran")
+
+
+def test_two_diameters_of_calculix_are_those_of_an_ellipse(file):
+    twice = file(BEAMME + SECTIONS.replace("CIRC\n 1e-3", "CIRC\n 1e-3, 1e-3"), "twice.inp")
+    assert litz.read_mesh(twice, dialect="ccx").sections[0][1] == litz.Circular(0.5e-3)
+    with pytest.raises(ValueError, match="2 values on its first line; in the dialect abaqus it is the radius"):
+        litz.read_mesh(twice, dialect="abaqus")
+    ellipse = file(BEAMME + SECTIONS.replace("CIRC\n 1e-3", "CIRC\n 2e-3, 6e-3"), "ellipse.inp")
+    section = litz.read_mesh(ellipse, dialect="ccx").sections[0][1]
+    assert section.area == pytest.approx(np.pi * 1e-3 * 3e-3)
+    # stiff about the axis across its long diameter, which is the second thickness: bending about the first axis n1
+    assert section.i11 == pytest.approx(np.pi / 4 * 1e-3 * (3e-3) ** 3)
+    assert section.i22 == pytest.approx(np.pi / 4 * 3e-3 * (1e-3) ** 3)
+    # what St Venant's bound 4 I1 I2/(I1 + I2) gives for an ellipse, exactly
+    assert section.j == pytest.approx(4 * section.i11 * section.i22 / (section.i11 + section.i22))
+    assert section.n1 == (0, 0, 1)
+    # an ellipse that is nearly round has the shear factor of the circle, 6 (1 + nu)/(7 + 6 nu)
+    nearly = file(BEAMME + SECTIONS.replace("CIRC\n 1e-3", "CIRC\n 2e-3, 2.0000002e-3"), "nearly.inp")
+    section = litz.read_mesh(nearly, dialect="ccx").sections[0][1]
+    ga = 200e9 / 2.6 * section.area
+    assert section.shear == pytest.approx((6 * 1.3 / 8.8 * ga, 6 * 1.3 / 8.8 * ga), rel=1e-6)
+
+
+def test_a_section_beside_its_nodes_is_refused(file):
+    deck = file(BEAMME + SECTIONS.replace("section=CIRC\n 1e-3", "section=CIRC, offset1=0.5\n 1e-3"), "offset.inp")
+    with pytest.raises(ValueError, match="OFFSET1: the axes of wires pass through their nodes"):
+        litz.read_mesh(deck, dialect="ccx")
 
 
 def test_ranges_sets_of_sets_and_includes_are_followed(file):
@@ -152,7 +194,10 @@ def test_what_is_left_out_is_told(file):
     with pytest.warns(UserWarning, match="1 of type S4R"):
         litz.read_mesh(file(BEAMME + "*Element, type=S4R\n 10, 1, 2, 3, 4\n", "beams.inp"))
     with pytest.warns(UserWarning, match="section of first is ignored"):
-        litz.read_mesh(file(BEAMME + SECTIONS.replace("section=CIRC\n 1e-3", "section=RECT\n 1e-3, 2e-3"), "rect.inp"))
+        litz.read_mesh(
+            file(BEAMME + SECTIONS.replace("section=CIRC\n 1e-3", "section=RECT\n 1e-3, 2e-3"), "rect.inp"),
+            dialect="abaqus",
+        )
 
 
 #: As Abaqus/CAE writes: a part, instances of it at their places, sets of the assembly
@@ -206,7 +251,7 @@ CAE = """\
 
 
 def test_instances_of_parts_stand_at_their_places(file):
-    mesh = litz.read_mesh(file(CAE, "cae.inp"))
+    mesh = litz.read_mesh(file(CAE, "cae.inp"), dialect="abaqus")
     # the first as it is, the second shifted by 1 along z, then turned by 90 degrees about the axis through (0, 0, 1) along z
     wires = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 0, 1], [0, 1, 1], [0, 2, 1]]
     np.testing.assert_allclose(mesh.x, [*wires, [0, 0, 0], [0, 5, 0]], atol=1e-15)
@@ -227,7 +272,7 @@ def test_sections_of_a_part_hold_for_each_of_its_instances(file):
     pin = CAE.index("*Part, name=Pin"), CAE.index("*Assembly")
     text = CAE[: pin[0]] + CAE[pin[1] :].replace(", Pin-1.all", "")
     text = text.replace("*Instance, name=Pin-1, part=Pin\n*End Instance\n", "")
-    first, second = model.mesh(litz.read_mesh(file(text, "cae.inp")))
+    first, second = model.mesh(litz.read_mesh(file(text, "cae.inp"), dialect="abaqus"))
     assert (first.section.radius, second.section.radius) == (0.1, 0.1)
     assert list(first.elements) == [1, 2]
     assert list(second.elements) == [3, 4]
@@ -246,7 +291,7 @@ def test_sections_of_a_part_hold_for_each_of_its_instances(file):
 def test_instances_that_cannot_be_made(file, old, new, message):
     assert old in CAE
     with pytest.raises(litz.FileError, match=message):
-        litz.read_mesh(file(CAE.replace(old, new), "cae.inp"))
+        litz.read_mesh(file(CAE.replace(old, new), "cae.inp"), dialect="abaqus")
 
 
 def test_trusses_are_wires_where_there_are_no_beams(file):

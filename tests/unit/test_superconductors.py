@@ -185,7 +185,7 @@ def test_bad_numbers_are_refused(change, message):
 
 
 def test_bad_parameters_of_the_fits_are_refused():
-    with pytest.raises(ValueError, match="Ca2 must be from 0 to less than Ca1"):
+    with pytest.raises(ValueError, match="Ca1 must be more than Ca2 and less than 1/e0"):
         nb3sn(4.2, 12.0, **STRAND | dict(Ca2=50.0))
     with pytest.raises(ValueError, match="must not be negative"):
         nbti(-1.0, 5.0, **LHC)

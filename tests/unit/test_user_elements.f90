@@ -1,7 +1,5 @@
-!> The user elements of Abaqus and FEAP give what `contact_em` gives, in their order, with their signs.
-!>
-!> Both are called as the manuals of those programs say they call them; the headers of FEAP are stand-ins with its
-!> names.
+!> The user element of Abaqus gives what `contact_em` gives, in its order, with its signs, and so do those of solids in
+!> the plane. What else a host asks for is in test_uel_host and test_feap_host.
 program test_user_elements
    use litz_kinds, only: dp
    use litz_contact_em, only: contact_em, contact_em_t, wire_pair_t, contact_laws_t, contact_active, contact_bad_data
@@ -13,8 +11,6 @@ program test_user_elements
       history_current, history_energy
    use litz_user_surface, only: user_node_to_segment, user_segment_to_segment, n_surface_properties, surface_active
    implicit none
-   include 'hdata.h'
-   include 'comblk.h'
 
    real(dp), parameter :: length = 0.02_dp, radius = 1.0e-3_dp, overlap = 2.0e-6_dp, penalty = 1.0e6_dp
    real(dp), parameter :: properties(n_properties) = [radius, radius, 120.0e9_dp, 100.0e9_dp, 0.34_dp, 0.3_dp, &
@@ -37,7 +33,6 @@ program test_user_elements
    call test_the_kernel_refuses_a_table_that_was_never_given()
    call test_abaqus_gives_what_it_is_asked_for()
    call test_the_tangent_is_the_derivative()
-   call test_feap_equals_abaqus_with_additive_rotations()
    call test_a_pair_that_is_apart_gives_nothing()
    call test_parallel_wires_ask_for_a_shorter_increment()
    call test_surfaces_have_their_unknowns_node_by_node()
@@ -220,27 +215,6 @@ contains
       kind_of = merge(3, 1 + (mod(i - 1, 7))/3, mod(i, 7) == 0)
    end function kind_of
 
-   subroutine test_feap_equals_abaqus_with_additive_rotations()
-      real(dp) :: d(n_properties + n_options), s(28, 28), p(28), ul(7, 4, 3)
-      integer :: ix(4)
-
-      ix = [1, 2, 3, 4]
-      ul = 0
-      call elmt01(d, ul, coordinates, ix, [0.0_dp], s, p, 7, 3, 28, 1)
-      call expect(nh1 == n_history, 'FEAP is told how many numbers to keep')
-      nh1 = 1
-      nh2 = nh1 + n_history
-      hr(:nh2 + n_history) = 0
-      ul(:, :, 1) = u
-      call elmt01(d, ul, coordinates, ix, [0.0_dp], s, p, 7, 3, 28, 3)
-      call expect(all(near(s, k)) .and. all(near(p, r)), 'tangent and residual')
-      call expect(all(near(hr(nh2:nh2 + n_history - 1), svars)), 'what is kept')
-      call expect(all(near(hr(nh1:nh1 + n_history - 1), 0.0_dp)), 'the converged state is not touched')
-      s = 0
-      call elmt01(d, ul, coordinates, ix, [0.0_dp], s, p, 7, 3, 28, 6)
-      call expect(all(near(s, 0.0_dp)) .and. all(near(p, r)), 'residual alone')
-   end subroutine test_feap_equals_abaqus_with_additive_rotations
-
    subroutine test_a_pair_that_is_apart_gives_nothing()
       u(3, 1:2) = u(3, 1:2) + 10*radius
       call call_uel(tangent_and_residual, k, r)
@@ -296,21 +270,3 @@ contains
    end subroutine expect
 
 end program test_user_elements
-
-!> FEAP's reader of numbers, here with those of the test.
-logical function tinput(words, n_words, numbers, n_numbers)
-   use litz_kinds, only: dp
-   use litz_axis_choices, only: axis_hermite
-   implicit none
-   integer, intent(in) :: n_words, n_numbers
-   character(len=*), intent(in) :: words(*)
-   real(dp), intent(out) :: numbers(n_numbers)
-   real(dp), parameter :: radius = 1.0e-3_dp
-
-   tinput = n_words /= 0 .or. len(words(1)) < 15
-   if (n_numbers == 10) then
-      numbers = [radius, radius, 120.0e9_dp, 100.0e9_dp, 0.34_dp, 0.3_dp, 1.7e-8_dp, 2.0e-8_dp, 1.0e6_dp, 0.0_dp]
-   else
-      numbers = [1.0_dp, 2.0_dp, real(axis_hermite, dp), 0.0_dp]                       ! LINEAR, HERTZ
-   end if
-end function tinput

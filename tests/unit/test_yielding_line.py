@@ -29,7 +29,7 @@ def points(given, wires, *, is_overlap=False, largest=0.0, angle=0.0, film=0.0, 
         np.full(n, angle),
         np.full(n, film),
         np.full((2, n), stress),
-        hardness,
+        np.full(n, hardness),
     )
     names = ["force", "overlap", "compliance", "b", "conductance", "slope", "dent"]
     return dict(zip(names, values, strict=True)), onset[:, 0]

@@ -29,6 +29,7 @@ def points(
         given.copy(), int(is_force), largest.astype(float), *wires, angle, np.broadcast_to(yield_stress, 2), hardness
     )
     assert info == 0
+    onset = onset[:, 0]
     names = [
         "overlap",
         "force",

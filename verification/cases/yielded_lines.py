@@ -6,7 +6,7 @@ back is an integral over flat punches.
 
 import numpy as np
 
-from verification import line_decks
+from verification import figures, line_decks
 from verification.deck_text import chain, heading, join, step
 from verification.references.parallel_wires import ParallelWires, PressedWire
 from verification.references.yielded_line import YieldedLine
@@ -45,10 +45,27 @@ def measure(workspace):
         middle = np.flatnonzero(here & (np.abs(contacts["point_1_x"] - LENGTH / 2) < LENGTH / 4))
         force, length = contacts["force"][middle], contacts["length"][middle]
         found.append((float(np.mean(force / length)), float(np.mean(1 / (contacts["resistance"][middle] * length)))))
+    force, conductance = (list(values) for values in zip(*found, strict=True))
     return {
-        "yielded_lines.force": [force for force, _ in found],
-        "yielded_lines.conductance": [conductance for _, conductance in found],
+        "yielded_lines.force": force,
+        "yielded_lines.conductance": conductance,
+        "figure": (np.array(force), np.array(conductance)),
     }
+
+
+def draw(values, path):
+    """The way through force, overlap and conductance, numbered in the order of the steps."""
+    force, conductance = values["figure"]
+    overlap = 1e6 * np.array(OVERLAPS)
+    with figures.panels(path) as axes:
+        for panel, x, y, names in (
+            (axes[0], overlap, force / 1e3, ("overlap / um", "force per length / (N/mm)")),
+            (axes[1], force / 1e3, conductance / 1e6, ("force per length / (N/mm)", "conductance per length / (MS/m)")),
+        ):
+            panel.plot(x, y, marker="o", fillstyle="none")
+            for number, at in enumerate(zip(x, y, strict=True), start=1):
+                panel.annotate(str(number), at, textcoords="offset points", xytext=(5, -10))
+            panel.set(xlabel=names[0], ylabel=names[1])
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 A layered mat of nichrome fibres has been pressed between two electrodes and is pressed further, with its currents alone
 (`*STATIC`) or with the heat that they make (`*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, STEADY STATE`), which raises its
-temperatures and lengthens its fibres: motions and temperatures in turn, or in one Newton step (`COUPLING=FULL`).
+temperatures and lengthens its fibres: motions and temperatures in one Newton step, or in turns (`COUPLING=UPDATED`).
 The time of the first step, of a run that ends with it, is taken off; that of reading,
 preparation and output does not count. Runs alternate, medians.
 """
@@ -30,7 +30,7 @@ NICHROME = build.Material(
     "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6
 )
 STATIC, COUPLED = "STATIC", "COUPLED TEMPERATURE-DISPLACEMENT"
-FULL = "FULL COUPLING"
+TURNS = "TURNS"
 
 
 def mat(per_layer, procedure):
@@ -55,8 +55,8 @@ def mat(per_layer, procedure):
         return model
     options = {} if procedure == STATIC else {"procedure": COUPLED, "steady_state": True}
     step = model.press(PRESSED, voltage=VOLTAGE, name="FURTHER", increment=1 / INCREMENTS, **options)
-    if procedure == FULL:
-        step.solver("BLOCK", coupling="FULL")
+    if procedure == TURNS:
+        step.solver("BLOCK", coupling="UPDATED")
     if procedure != STATIC:
         for electrode in ("PLATE_BOTTOM", "PLATE_TOP"):
             step.temperature(electrode, ROOM)
@@ -67,7 +67,7 @@ def measure(quick, directory):
     rows = []
     for per_layer in QUICK_SIZES if quick else SIZES:
         decks = {}
-        for name in (None, STATIC, COUPLED, FULL):
+        for name in (None, STATIC, COUPLED, TURNS):
             model = mat(per_layer, name)
             decks[name] = model.write(directory / f"mat_{per_layer}_{(name or 'closed').split()[0].lower()}.inp")
         runs = {name: [] for name in decks}
@@ -75,10 +75,10 @@ def measure(quick, directory):
             for name, deck in decks.items():
                 runs[name].append(run_litz(deck, directory / deck.stem))
         row = {"fibres": per_layer * LAYERS, "elements": len(model.connectivity)}
-        for name in (STATIC, COUPLED, FULL):
+        for name in (STATIC, COUPLED, TURNS):
             row[name] = beyond(runs[name], runs[None])
         alone = row[STATIC]["seconds_per_increment"]
-        row["ratio"] = {name: row[name]["seconds_per_increment"] / alone for name in (STATIC, COUPLED, FULL)}
+        row["ratio"] = {name: row[name]["seconds_per_increment"] / alone for name in (STATIC, COUPLED, TURNS)}
         rows.append(row)
     return {"sizes": rows}
 
@@ -104,24 +104,24 @@ def tables(values):
     header = ["elements", "procedure", "increments", "iterations", "per increment [s]", "over STATIC"]
     lines, shares = [], []
     for row in values["sizes"]:
-        for name in (STATIC, COUPLED, FULL):
+        for name in (STATIC, COUPLED, TURNS):
             run, ratio = row[name], row["ratio"][name]
             lines.append(
                 [row["elements"], name, run["increments"], run["iterations"], run["seconds_per_increment"], ratio]
             )
         shares += [
-            [row["elements"], phase, *(row[name]["phases"][phase] for name in (STATIC, COUPLED, FULL))]
+            [row["elements"], phase, *(row[name]["phases"][phase] for name in (STATIC, COUPLED, TURNS))]
             for phase in row[STATIC]["phases"]
         ]
     return [
         ("Time of an increment", header, lines),
-        ("Seconds of its phases", ["elements", "phase", STATIC, COUPLED, FULL], shares),
+        ("Seconds of its phases", ["elements", "phase", STATIC, COUPLED, TURNS], shares),
     ]
 
 
 def aims(values):
     return [
-        (f"{row['elements']} elements: coupled increment over one without temperatures", row["ratio"][FULL], 1.5)
+        (f"{row['elements']} elements: coupled increment over one without temperatures", row["ratio"][COUPLED], 1.5)
         for row in values["sizes"]
     ]
 
@@ -131,9 +131,9 @@ def draw(values, path):
         labels = [
             f"{row['elements']}, {name.split()[0].lower()}"
             for row in values["sizes"]
-            for name in (STATIC, COUPLED, FULL)
+            for name in (STATIC, COUPLED, TURNS)
         ]
-        runs = [row[name] for row in values["sizes"] for name in (STATIC, COUPLED, FULL)]
+        runs = [row[name] for row in values["sizes"] for name in (STATIC, COUPLED, TURNS)]
         bottom = [0.0] * len(runs)
         for phase in runs[0]["phases"]:
             part = [run["phases"][phase] for run in runs]

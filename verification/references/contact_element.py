@@ -2,8 +2,9 @@
 
 Source: D. P. Boso, P. Litewka, B. A. Schrefler, P. Wriggers, Electric-mechanical beam-to-beam contact: orthogonality
 conditions, virtual work of the penalty force and of the current, Hertz's spot and Holm's resistance; HERTZ: K. L.
-Johnson, Contact Mechanics (1985), section 4.2. Only residuals are written down here; no tangent is. Complex steps: W.
-Squire, G. Trapp, SIAM Rev. 40 (1998) 110-112, exact to round-off, because nothing is subtracted.
+Johnson, Contact Mechanics (1985), section 4.2. Its force follows the crossing angle, and so does its energy, 2/5 of force
+times overlap: the residual has what that resists turning by. Only residuals are written down here; no tangent is.
+Complex steps: W. Squire, G. Trapp, SIAM Rev. 40 (1998) 110-112, exact to round-off, because nothing is subtracted.
 """
 
 from dataclasses import dataclass
@@ -12,6 +13,8 @@ import numpy as np
 from scipy.optimize import brentq
 
 STEP = 1e-30
+#: Central differences of eighth order: weights of the steps 1 to 4, and the step, in the squared cosine of the angle
+DIFFERENCES, ANGLE_STEP = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]), 2e-3
 
 
 @dataclass(frozen=True)
@@ -44,19 +47,19 @@ class State:
     #: Tangents that the nodes have carried along (4, 3)
     t: np.ndarray
     force: complex
+    #: What the energy grows by with nodal positions and tangents at the same gap, as the angle changes (8, 3)
+    turning: np.ndarray
     conductance: complex
     #: Shape functions of the voltage gap (4)
     n_v: np.ndarray
     v: np.ndarray
 
     def mechanical(self):
-        """R_m (24): minus the force times the change of the gap by displacements and spins."""
-        parts = []
-        for node in range(4):
-            f = -self.force * self.weights[2 * node] * self.normal
-            f_t = -self.force * self.weights[2 * node + 1] * self.normal
-            parts += [f, np.cross(self.t[node], f_t)]
-        return np.concatenate(parts)
+        """R_m (24): minus the force times the change of the gap, and what resists turning, by displacements and spins."""
+        f = -self.force * np.outer(self.weights, self.normal) + self.turning
+        return np.concatenate(
+            [part for node in range(4) for part in (f[2 * node], np.cross(self.t[node], f[2 * node + 1]))]
+        )
 
     def electric(self):
         """R_e (4): the current, at the nodes it leaves."""
@@ -82,12 +85,13 @@ def evaluate(pair, q):
     weights = np.concatenate([bar, -plain])
     w = weights @ points
     distance = np.sqrt(w @ w)
-    xb1, x1 = _slopes(pair, points, xi_bar, xi)
-    cosine_squared = (xb1 @ x1) ** 2 / ((xb1 @ xb1) * (x1 @ x1))
+    overlap = sum(pair.radius) - distance
+    cosine_squared, by_points = _squared_cosine(pair, points, xi_bar, xi)
     law = {"paper": _paper, "hertz": _hertz}[pair.law]
-    force, conductance = law(pair, sum(pair.radius) - distance, cosine_squared)
+    force, conductance = law(pair, overlap, cosine_squared)
+    energy_slope = 0.4 * overlap * _slope(lambda c: law(pair, overlap, c)[0], cosine_squared)
     n_v = np.array([1 - xi_bar, 1 + xi_bar, -(1 - xi), -(1 + xi)]) / 2
-    return State(weights, w / distance, t, force, conductance, n_v, pair.v + q[24:])
+    return State(weights, w / distance, t, force, energy_slope * by_points, conductance, n_v, pair.v + q[24:])
 
 
 def derivative(function):
@@ -113,21 +117,51 @@ def _shape(axis, length, xi):
     )
 
 
-def _slopes(pair, points, xi_bar, xi):
-    return _shape(pair.axis, pair.length[0], xi_bar)[1] @ points[:4], _shape(pair.axis, pair.length[1], xi)[1] @ points[
-        4:
-    ]
+def _squared_cosine(pair, points, xi_bar, xi):
+    """Squared cosine of the angle of the axes at the closest points, and how it changes with the points (8, 3)."""
+    bar, plain = _shape(pair.axis, pair.length[0], xi_bar), _shape(pair.axis, pair.length[1], xi)
+    _, bar1, bar2 = (s @ points[:4] for s in bar)
+    _, x1, x2 = (s @ points[4:] for s in plain)
+    unit_bar, unit = bar1 / np.sqrt(bar1 @ bar1), x1 / np.sqrt(x1 @ x1)
+    cosine = unit_bar @ unit
+    # how the cosine changes with the slopes of the axes, and with the places along them
+    by_bar, by_plain = (unit - cosine * unit_bar) / np.sqrt(bar1 @ bar1), (unit_bar - cosine * unit) / np.sqrt(x1 @ x1)
+    by_places = np.array([by_bar @ bar2, by_plain @ x2])
+    # the places follow the points so that both conditions of the closest points stand
+    _, by_place = _conditions(points, bar, plain)
+    of_points = np.zeros((2, 8, 3), dtype=complex)
+    w = bar[0] @ points[:4] - plain[0] @ points[4:]
+    of_points[:, :4] = np.multiply.outer(bar[0], np.array([x1, bar1])).transpose(1, 0, 2)
+    of_points[:, 4:] = -np.multiply.outer(plain[0], np.array([x1, bar1])).transpose(1, 0, 2)
+    of_points[0, 4:] += np.outer(plain[1], w)
+    of_points[1, :4] += np.outer(bar[1], w)
+    by_points = np.concatenate([np.outer(bar[1], by_bar), np.outer(plain[1], by_plain)])
+    by_points = by_points - np.tensordot(np.linalg.solve(by_place.T, by_places), of_points, axes=1)
+    return cosine**2, 2 * cosine * by_points
+
+
+def _conditions(points, bar, plain):
+    """(xb - x) . x' and (xb - x) . xb', which vanish at the closest points, and how they change with the places."""
+    bar, bar1, bar2 = (s @ points[:4] for s in bar)
+    x, x1, x2 = (s @ points[4:] for s in plain)
+    w = bar - x
+    by_place = np.array([[bar1 @ x1, w @ x2 - x1 @ x1], [bar1 @ bar1 + w @ bar2, -(x1 @ bar1)]])
+    return np.array([w @ x1, w @ bar1]), by_place
+
+
+def _slope(function, x):
+    """Derivative by central differences."""
+    steps = ANGLE_STEP * np.arange(1, 5)
+    return sum(w * (function(x + h) - function(x - h)) / ANGLE_STEP for w, h in zip(DIFFERENCES, steps, strict=True))
 
 
 def _closest(pair, points):
-    """Places where (xb - x) . x' = (xb - x) . xb' = 0, by Newton's method."""
+    """The places of the closest points, by Newton's method."""
     places = np.zeros(2, dtype=complex)
     for _ in range(30):
-        bar, bar1, bar2 = (s @ points[:4] for s in _shape(pair.axis, pair.length[0], places[0]))
-        x, x1, x2 = (s @ points[4:] for s in _shape(pair.axis, pair.length[1], places[1]))
-        w = bar - x
-        matrix = np.array([[bar1 @ x1, w @ x2 - x1 @ x1], [bar1 @ bar1 + w @ bar2, -(x1 @ bar1)]])
-        places = places - np.linalg.solve(matrix, np.array([w @ x1, w @ bar1]))
+        shapes = (_shape(pair.axis, length, place) for length, place in zip(pair.length, places, strict=True))
+        conditions, by_place = _conditions(points, *shapes)
+        places = places - np.linalg.solve(by_place, conditions)
     return places
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from ..build.starters import new, starter_list
 from ..errors import FileError
 from ..model import COPPER, Material, Model
+from ..model.abaqus_mesh import DIALECTS
 from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
 from .parsers import command_parser
@@ -40,6 +41,12 @@ def convert_command(arguments: list[str]) -> int:
     parser.add_argument("mesh", metavar="MESH", help="Abaqus, gmsh or BeamMe (.inp), gmsh (.msh), or what meshio reads")
     parser.add_argument("deck", metavar="DECK", help="the deck to write; an existing file is not overwritten")
     parser.add_argument(
+        "--dialect",
+        choices=DIALECTS,
+        help="whose deck it is; needed if it has a *BEAM SECTION, SECTION=CIRC, whose value is the radius in Abaqus, but the"
+        " diameter in CalculiX",
+    )
+    parser.add_argument(
         "--radius",
         type=float,
         help="radius of the wires, in the length unit of the mesh; not needed if the mesh has sections",
@@ -59,7 +66,7 @@ def convert_command(arguments: list[str]) -> int:
     if Path(options.deck).exists():
         raise FileError(f"{options.deck} exists already and is not overwritten; choose another name")
     try:
-        mesh = read_mesh(options.mesh)
+        mesh = read_mesh(options.mesh, dialect=options.dialect)
         notes = ["Supports, contacts and loads must be added: outlines are below, `litz keywords` explains them."]
         model = Model(f"Wires of {mesh.path.name}", notes)
         material = Material("WIRE", options.young, options.poisson, options.conductivity)

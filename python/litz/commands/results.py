@@ -1,13 +1,22 @@
 """The commands that print and export results."""
 
+from pathlib import Path
+
+from ..errors import FileError
+from ..hosts import abaqus_input, feap_input, read_host_model
 from ..results import Results
 from ..results.exports import export
 from ..results.history_table import history_table
-from .parsers import results_parser
+from .parsers import command_parser, results_parser
+
+#: Programs for which models are written, and the endings of their input files
+_HOSTS = {"feap": (feap_input, "_feap.txt"), "abaqus": (abaqus_input, "_abaqus.inp")}
 
 
 def export_command(arguments: list[str]) -> int:
-    """`litz export`: results for another program."""
+    """`litz export`: results, or a model, for another program."""
+    if arguments and arguments[0] in (*_HOSTS, "ccx"):
+        return _export_model(arguments)
     parser = results_parser("export", "Write results for another program.")
     parser.add_argument("--to", required=True, metavar="FORMAT", help="csv, vtu, xdmf or vtkhdf")
     parser.add_argument("-o", "--output", metavar="DIR", help="default: next to the results")
@@ -16,6 +25,49 @@ def export_command(arguments: list[str]) -> int:
         print(f"wrote {export(options.results, options.to, options.output)}")
     except ValueError as error:
         parser.error(str(error))
+    return 0
+
+
+def _export_model(arguments: list[str]) -> int:
+    """`litz export feap|abaqus DECK`: the model for a program that has the user elements of litz."""
+    parser = command_parser(
+        "export", "Write the model of a deck for a program that has litz's contact element as a user element."
+    )
+    parser.add_argument("program", choices=[*_HOSTS, "ccx"], help="feap, abaqus")
+    parser.add_argument("deck", metavar="DECK", help="deck of wires with round sections")
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: DECK_feap.txt or DECK_abaqus.inp")
+    parser.add_argument(
+        "--reach",
+        type=float,
+        metavar="LENGTH",
+        help="elements whose surfaces are that near before loading are candidates of contact; default: largest diameter",
+    )
+    options = parser.parse_args(arguments)
+    if options.program == "ccx":
+        parser.error(
+            "litz has no user element for CalculiX, whose user elements are part of its own sources; there are feap and abaqus"
+        )
+    if options.reach is not None and not options.reach > 0:
+        parser.error(f"--reach must be greater than 0, not {options.reach:g}")
+    write, ending = _HOSTS[options.program]
+    deck = Path(options.deck)
+    try:
+        model = read_host_model(deck, options.reach)
+    except ValueError as error:
+        parser.error(str(error))
+    path = options.output or deck.with_name(deck.stem + ending)
+    if path.exists():
+        raise FileError(f"{path} exists already and is not overwritten; choose another name with -o")
+    text = write(model)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise FileError(f"cannot write {path}: {error.strerror or error}") from None
+    print(
+        f"wrote {path}: {len(model.x)} nodes, {len(model.connectivity)} beams, {len(model.pairs)} pairs that may touch\n"
+        "how to build the program with the elements: docs/user_element.md"
+    )
     return 0
 
 

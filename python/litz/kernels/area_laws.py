@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from .. import _core
 from . import checks
+from .batch import Floats
 from .laws import (
     CONDUCTANCE_FIELDS,
     CONDUCTANCE_LAWS,
@@ -27,18 +28,18 @@ _LOOKS_AT = _core.f2py_surface.conductance_law_names()[2]
 
 
 class AreaLaws(NamedTuple):
-    """What the kernels take: numbers of the laws, their data, and the bodies (2, 3): young, poisson, resistivity."""
+    """What the kernels take: numbers of the laws, their data, and the bodies (..., 3, 2): young, poisson, resistivity."""
 
     #: Place of the pressure law in the table of the program
     normal: int
     #: Its numbers
-    normal_data: NDArray[np.float64]
+    normal_data: Floats
     #: Place of the conductance law; 0: no current
     spot: int
     #: Its numbers, line after line
-    spot_data: NDArray[np.float64]
-    #: Young's moduli, Poisson's ratios and resistivities of both bodies (2, 3)
-    bodies: NDArray[np.float64]
+    spot_data: Floats
+    #: Young's moduli, Poisson's ratios and resistivities of both bodies (..., 3, 2)
+    bodies: Floats
 
     @property
     def can_be_augmented(self) -> bool:
@@ -74,25 +75,28 @@ def _spot_data(law: str) -> list[str]:
     return own + [name for used, names in zip(looks_at, _BODY_DATA, strict=True) if used for name in names]
 
 
-def _numbers(names: list[str], data: dict[str, ArrayLike]) -> NDArray[np.float64]:
-    """The numbers of a law; one that has none gets one that it does not look at."""
-    return np.array([checks.positive(name, data[name]) for name in names] or [1.0])  # type: ignore[arg-type]
+def _numbers(names: list[str], data: dict[str, ArrayLike]) -> Floats:
+    """The numbers of a law, shape (..., numbers); one that has none gets one that it does not look at."""
+    numbers = [checks.all_positive(name, data[name]) for name in names] or [np.ones(())]
+    return np.stack(np.broadcast_arrays(*numbers), axis=-1)
 
 
-def _spot_numbers(law: str, data: dict[str, ArrayLike]) -> NDArray[np.float64]:
+def _spot_numbers(law: str, data: dict[str, ArrayLike]) -> Floats:
     if "table" not in data:
         return _numbers([] if law == "none" else CONDUCTANCE_FIELDS[law], data)
-    table = np.asarray(data["table"], dtype=float)
-    table = checks.array("table", table, (2, table.shape[-1] if table.ndim == 2 else 1))
-    if not ((table > 0).all() and (np.diff(table[0]) > 0).all()):
+    shape = np.shape(data["table"])
+    table = checks.leading("table", data["table"], (2, shape[-1] if len(shape) > 1 else 1))
+    if not ((table > 0).all() and (np.diff(table[..., 0, :]) > 0).all()):
         raise ValueError("table must have ascending pressures and positive resistances")
-    return table.T.ravel()
+    return np.swapaxes(table, -1, -2).reshape(*shape[:-2], 2 * shape[-1])
 
 
-def _bodies(data: dict[str, ArrayLike]) -> NDArray[np.float64]:
-    """Young's moduli, Poisson's ratios and resistivities of both bodies (2, 3); those that no law uses are 1, 0, 1."""
-    poisson = checks.pair("poisson", data.get("poisson", 0.0))
+def _bodies(data: dict[str, ArrayLike]) -> Floats:
+    """Young's moduli, Poisson's ratios and resistivities (..., 3, 2) of both bodies; those that no law uses are 1, 0, 1."""
+    poisson = checks.leading_pair("poisson", data.get("poisson", 0.0))
     if not ((poisson > -1) & (poisson <= 0.5)).all():
         raise ValueError("poisson must be above -1, and at most 0.5")
-    young, resistivity = (checks.positive_pair(name, data.get(name, 1.0)) for name in ("young", "resistivity"))
-    return np.stack([young, poisson, resistivity], axis=1)
+    young, resistivity = (checks.leading_pair(name, data.get(name, 1.0)) for name in ("young", "resistivity"))
+    for name, value in (("young", young), ("resistivity", resistivity)):
+        checks.refuse(name, value, value <= 0, 1, "must be greater than 0, {but}")
+    return np.stack(np.broadcast_arrays(young, poisson, resistivity), axis=-2)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
-from .wire_pair import geometry
+from .batch import Batch, Floats
+from .wire_pair import take_geometry
 
 Axis = Literal["linear", "hermite"]
 Status = Literal["inside", "beyond", "parallel", "not_unique", "not_converged"]
@@ -20,14 +21,14 @@ _STATUS: dict[int, Status] = {0: "inside", 1: "beyond", -1: "parallel", -2: "not
 
 
 class ClosestPoints(NamedTuple):
-    """Closest points of two element axes."""
+    """Closest points of two element axes; of many pairs each is an array."""
 
     #: Place in the barred element, which is [-1, 1]
-    xi_bar: float
+    xi_bar: float | Floats
     #: Place in the unbarred element
-    xi: float
+    xi: float | Floats
     #: "inside", "beyond" an end, "parallel", "not_unique" or "not_converged"
-    status: Status
+    status: Status | NDArray[np.str_]
 
 
 def closest_points(
@@ -38,7 +39,7 @@ def closest_points(
     Parameters
     ----------
     x : array_like, shape (4, 3)
-        Nodal positions in the order barred 1, barred 2, 1, 2 [m].
+        Nodal positions in the order barred 1, barred 2, 1, 2 [m]. All arguments may have leading axes, see `litz.kernels`.
     t : array_like, shape (4, 3)
         Unit tangents at the nodes, pointing from node 1 to node 2 of their element; "linear" does not look at them.
     length : array_like, shape (2,)
@@ -70,9 +71,13 @@ def closest_points(
     The conditions are ``w . x' = 0`` and ``w . xb' = 0`` with ``w = xb - x``. The method is described in
     ``fortran/kernels/closest_points.f90``.
     """
-    places = geometry(x, t, length)
-    begin = np.zeros(2) if start is None else checks.array("start", start, (2,))
-    xi_bar, xi, status = _core.f2py_contact.closest_points(
-        *places, checks.choice("axis", axis, AXES), start is not None, begin
-    )
-    return ClosestPoints(xi_bar, xi, _STATUS[status])
+    of = Batch()
+    take_geometry(of, x, t, length)
+    of.array("start", (0.0, 0.0) if start is None else start, (2,))
+    xi_bar, xi, status = of.call(
+        [(), (), ()], _core.f2py_contact.closest_points,
+        *of.columns(), checks.choice("axis", axis, AXES), start is not None,
+    )  # fmt: skip
+    names = [_STATUS[int(number)] for number in status]
+    words = names[0] if not of.shape else np.array(names, dtype="U13").reshape(of.shape)
+    return ClosestPoints(of.result(xi_bar), of.result(xi), words)

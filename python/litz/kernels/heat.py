@@ -1,4 +1,7 @@
-"""Heat: along wires, from their sides, into them, and through the spots in which they touch."""
+"""Heat: along wires, from their sides, into them, and through the spots in which they touch.
+
+Arguments that hold numbers may have leading axes, see `litz.kernels`.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from .. import _core
 from . import checks
+from .batch import Batch, Floats
 from .wire_pair import Numbers
 
 #: Sommerfeld's value of the Lorenz number [V^2/K^2]
@@ -22,68 +26,68 @@ class SpotHeat(NamedTuple):
     """Heat and temperatures of a contact spot."""
 
     #: To the bulk of wire 1 and of wire 2 (2,) [W]
-    heat: NDArray[np.float64]
+    heat: Floats
     #: Highest temperature of spot and bulks [K]
-    hottest: float
+    hottest: float | Floats
     #: Derivatives of `heat` by voltage, conductance and the two temperatures (2, 4) [W/V, W/S, W/K]
-    dheat: NDArray[np.float64]
+    dheat: Floats
     #: The same of `hottest` (4,) [K/V, K/S, 1]
-    dhottest: NDArray[np.float64]
+    dhottest: Floats
 
 
 class HotConductance(NamedTuple):
     """What the heat of a spot does to its own conductance."""
 
     #: Conductance over that at the mean temperature of the bulks
-    ratio: float
+    ratio: float | Floats
     #: Derivatives by voltage and the two temperatures (3,) [1/V, 1/K]
-    dratio: NDArray[np.float64]
+    dratio: Floats
 
 
 class ConductorHeat(NamedTuple):
     """Result of a conductor of current and heat; the unknowns are V1, V2, T1, T2."""
 
     #: Tangent (4, 4) [S, A/K, A, W/K]
-    K: NDArray[np.float64]
+    K: Floats
     #: Currents, then heat, that leave the nodes (4,) [A, W]
-    R: NDArray[np.float64]
+    R: Floats
     #: Current from the first to the second node [A]
-    current: float
+    current: float | Floats
     #: Joule heat [W]
-    heat: float
+    heat: float | Floats
     #: Heat through the film to the surroundings [W]
-    film_heat: float
+    film_heat: float | Floats
 
 
 class WireRadiation(NamedTuple):
     """What a wire radiates."""
 
     #: Tangent over the temperatures of the nodes (2, 2) [W/K]; diagonal
-    K: NDArray[np.float64]
+    K: Floats
     #: Heat that leaves the nodes (2,) [W]
-    R: NDArray[np.float64]
+    R: Floats
 
 
 class HeatCapacity(NamedTuple):
     """What a wire stores over a time increment."""
 
     #: Tangent over the temperatures of the nodes (2, 2) [W/K]; diagonal
-    K: NDArray[np.float64]
+    K: Floats
     #: Heat that the nodes take up (2,) [W]
-    R: NDArray[np.float64]
+    R: Floats
 
 
 def spot_heat(
-    voltage: float,
+    voltage: Numbers,
     temperature: ArrayLike,
     *,
-    current: float | None = None,
+    current: Numbers | None = None,
     lorenz: Numbers = LORENZ,
-    conductance: float | None = None,
+    conductance: Numbers | None = None,
     resistivity: Numbers = 1.0,
-    heat_conductance: float | Sequence[float | None] | None = None,
-    film_resistance: float = 0.0,
-    film_heat_conductance: float | None = None,
+    heat_conductance: Numbers | Sequence[Numbers | None] | None = None,
+    film_resistance: Numbers = 0.0,
+    film_heat_conductance: Numbers | None = None,
 ) -> SpotHeat:
     """Heat that a contact spot gives to its two wires, and its highest temperature.
 
@@ -134,37 +138,40 @@ def spot_heat(
     >>> print(f"{spot.hottest:.0f} K, {spot.heat[0]:.2f} W")
     463 K, 0.56 W
     """
-    voltage = checks.number("voltage", voltage)
-    bulk = _temperatures("temperature", temperature, 0.0)
-    if not (bulk > 0).all():
-        raise ValueError(f"temperature must be greater than 0 K, but holds {bulk.min():g}")
-    g = _conductance(voltage, current, conductance)
+    of = Batch()
+    volts = of.array("voltage", voltage)
+    g = _take_conductance(of, volts, current, conductance)
+    _take_temperatures_above_zero(of, temperature)
+    of.positive_pair("resistivity", resistivity)
     given = _heat_conductances(heat_conductance)
     is_metal = np.isnan(given)
-    if is_metal.any() and g == 0:
+    # without a current between them
+    alone = np.broadcast_arrays(g == 0, is_metal.any(axis=-1))
+    if (alone[0] & alone[1]).any():
         raise ValueError(
             "wires without a current between them need heat_conductance: lorenz relates heat to the current"
         )
-    film_resistance = not_negative("film_resistance", film_resistance)
-    if g * film_resistance >= 1:
-        raise ValueError(f"film_resistance must be less than V/I, {1 / g:g} ohm, of which it is a part")
-    film = 0.0 if film_heat_conductance is None else 1 / checks.positive("film_heat_conductance", film_heat_conductance)
-    heat, hottest, dheat, dhottest, info = _core.f2py_heat.spot_heat(
-        voltage,
-        g,
-        bulk,
-        checks.positive_pair("resistivity", resistivity),
-        np.where(is_metal, checks.positive_pair("lorenz", lorenz), 0.0),
-        np.where(is_metal, 0.0, given),
-        film_resistance,
-        film,
+    metal = checks.leading_pair("lorenz", lorenz)
+    checks.refuse("lorenz", metal, metal <= 0, 1, "must be greater than 0, {but}")
+    of.take("lorenz and heat_conductance", np.where(is_metal, metal, 0.0), 1)
+    of.take("heat_conductance", np.where(is_metal, 0.0, given), 1)
+    series = of.not_negative("film_resistance", film_resistance)
+    too_large = g * series >= 1
+    if too_large.any():
+        limit = 1 / np.broadcast_to(g, too_large.shape)[too_large][0]
+        raise ValueError(f"film_resistance must be less than V/I, {limit:g} ohm, of which it is a part")
+    take_film(of, film_heat_conductance)
+    heat, hottest, dheat, dhottest, info = of.call(
+        [(2,), (), (2, 4), (4,), ()], _core.f2py_heat.spot_heat, *of.columns()
     )
-    if info != 0:
-        raise ValueError("these numbers are too large or too small for the heat of a spot")
-    return SpotHeat(heat, float(hottest), dheat, dhottest)
+    if (info != 0).any():
+        raise ValueError(
+            of.named(info != 0, "spot") + "these numbers are too large or too small for the heat of a spot"
+        )
+    return SpotHeat(*map(of.result, (heat, hottest, dheat, dhottest)))
 
 
-def hot_conductance(voltage: float, temperature: ArrayLike, *, lorenz: float = LORENZ) -> HotConductance:
+def hot_conductance(voltage: Numbers, temperature: ArrayLike, *, lorenz: Numbers = LORENZ) -> HotConductance:
     """How much less a spot conducts because its own heat raises its resistivity.
 
     Parameters
@@ -189,27 +196,25 @@ def hot_conductance(voltage: float, temperature: ArrayLike, *, lorenz: float = L
     >>> print(f"{ratio:.3f}")
     0.531
     """
-    bulk = _temperatures("temperature", temperature, 0.0)
-    if not (bulk > 0).all():
-        raise ValueError(f"temperature must be greater than 0 K, but holds {bulk.min():g}")
-    ratio, dratio = _core.f2py_heat.hot_conductance(
-        checks.number("voltage", voltage), bulk, checks.positive("lorenz", lorenz)
-    )
-    return HotConductance(float(ratio), dratio)
+    of = Batch()
+    of.array("voltage", voltage)
+    _take_temperatures_above_zero(of, temperature)
+    of.positive("lorenz", lorenz)
+    return HotConductance(*map(of.result, of.call([(), (3,)], _core.f2py_heat.hot_conductance, *of.columns())))
 
 
 def conductor_heat(
     v: ArrayLike,
     temperature: ArrayLike,
-    length: float,
+    length: Numbers,
     *,
-    area: float,
+    area: Numbers,
     conductivity: ArrayLike,
     resistivity: ArrayLike | None = None,
-    heat_fraction: float = 1.0,
-    film: float = 0.0,
-    perimeter: float = 0.0,
-    sink: float = 0.0,
+    heat_fraction: Numbers = 1.0,
+    film: Numbers = 0.0,
+    perimeter: Numbers = 0.0,
+    sink: Numbers = 0.0,
 ) -> ConductorHeat:
     """Two-node conductor of current and heat, with a film on its side.
 
@@ -253,34 +258,31 @@ def conductor_heat(
     >>> print(f"{left.heat:.3f} W of heat, {abs(left.R[3] + right.R[2]):.3f} W missing in the middle")
     0.160 W of heat, 0.000 W missing in the middle
     """
-    fraction = checks.number("heat_fraction", heat_fraction)
-    if not 0 <= fraction <= 1:
-        raise ValueError(f"heat_fraction must be from 0 to 1, not {fraction:g}")
-    rho = np.zeros((2, 1)) if resistivity is None else table("resistivity", resistivity)
+    of = Batch()
+    of.array("v", v, (2,))
+    of.array("temperature", temperature, (2,))
+    of.positive("length", length)
+    of.positive("area", area)
+    fraction = of.array("heat_fraction", heat_fraction)
+    checks.refuse("heat_fraction", fraction, (fraction < 0) | (fraction > 1), 0, "must be from 0 to 1, not {value:g}")
     per_length = not_negative("film", film) * not_negative("perimeter", perimeter)
-    k, r, flows = _core.f2py_heat.conductor_heat(
-        checks.array("v", v, (2,)),
-        checks.array("temperature", temperature, (2,)),
-        checks.positive("length", length),
-        checks.positive("area", area),
-        rho,
-        table("conductivity", conductivity),
-        fraction,
-        per_length,
-        checks.number("sink", sink),
-    )
-    return ConductorHeat(k, r, *map(float, flows))
+    of.take("film and perimeter", per_length, 0)
+    of.array("sink", sink)
+    share_table(of, "resistivity", resistivity)
+    share_table(of, "conductivity", conductivity)
+    k, r, flows = of.call([(4, 4), (4,), (3,)], _core.f2py_heat.conductor_heat, *of.columns(), *of.shared_columns())
+    return ConductorHeat(of.result(k), of.result(r), *of.results(flows))
 
 
 def wire_radiation(
     temperature: ArrayLike,
-    length: float,
+    length: Numbers,
     *,
-    perimeter: float,
-    emissivity: float,
-    surroundings: float,
-    absolute_zero: float = 0.0,
-    stefan_boltzmann: float = STEFAN_BOLTZMANN,
+    perimeter: Numbers,
+    emissivity: Numbers,
+    surroundings: Numbers,
+    absolute_zero: Numbers = 0.0,
+    stefan_boltzmann: Numbers = STEFAN_BOLTZMANN,
 ) -> WireRadiation:
     """Heat that a wire radiates from its side: ``emissivity sigma P l/2 (T^4 - Ts^4)`` from either node.
 
@@ -310,29 +312,31 @@ def wire_radiation(
     >>> wire_radiation([1000, 1000], 0.1, perimeter=3e-3, emissivity=1.0, surroundings=300).R.round(3)
     array([8.437, 8.437])
     """
-    zero = checks.number("absolute_zero", absolute_zero)
-    t = _temperatures("temperature", temperature, zero)
-    around = checks.number("surroundings", surroundings)
-    if around < zero:
-        raise ValueError(f"surroundings must not be below absolute zero, {zero:g}, but is {around:g}")
-    emissivity = checks.number("emissivity", emissivity)
-    if not 0 <= emissivity <= 1:
-        raise ValueError(f"emissivity must be from 0 to 1, not {emissivity:g}")
-    coefficient = emissivity * checks.positive("stefan_boltzmann", stefan_boltzmann)
-    coefficient *= checks.positive("perimeter", perimeter) * checks.positive("length", length)
-    k, r, _ = _core.f2py_heat.wire_radiation(t, coefficient, around, zero)
-    return WireRadiation(np.diag(k), r)
+    of = Batch()
+    zero = checks.leading("absolute_zero", absolute_zero, ())
+    _take_temperatures(of, temperature, zero)
+    share = checks.leading("emissivity", emissivity, ())
+    checks.refuse("emissivity", share, (share < 0) | (share > 1), 0, "must be from 0 to 1, not {value:g}")
+    coefficient = share * checks.all_positive("stefan_boltzmann", stefan_boltzmann)
+    coefficient = coefficient * (checks.all_positive("perimeter", perimeter) * checks.all_positive("length", length))
+    of.take("emissivity, perimeter, length or stefan_boltzmann", coefficient, 0)
+    around = of.array("surroundings", surroundings)
+    if (around < zero).any():
+        raise ValueError(f"surroundings must not be below absolute zero, {np.max(zero):g}, but is {np.min(around):g}")
+    of.take("absolute_zero", zero, 0)
+    k, r, _ = of.call([(2, 2), (2,), ()], _core.f2py_heat.wire_radiation, *of.columns())
+    return WireRadiation(of.result(k), of.result(r))
 
 
 def heat_capacity(
     temperature: ArrayLike,
     before: ArrayLike,
-    length: float,
+    length: Numbers,
     *,
-    area: float,
-    density: float,
+    area: Numbers,
+    density: Numbers,
     specific_heat: ArrayLike,
-    time: float,
+    time: Numbers,
     latent_heat: ArrayLike = (),
 ) -> HeatCapacity:
     """Heat that the nodes of a wire take up per time: the difference of enthalpies, half of the element at either node.
@@ -366,72 +370,107 @@ def heat_capacity(
     >>> heat_capacity([301, 300], [300, 300], 0.1, **copper, time=0.01).R
     array([17.248,  0.   ])
     """
+    of = Batch()
+    of.array("temperature", temperature, (2,))
+    of.array("before", before, (2,))
+    mass = checks.all_positive("density", density) * checks.all_positive("area", area)
+    mass = mass * checks.all_positive("length", length)
+    of.take("density, area, length or time", mass / checks.all_positive("time", time), 0)
+    share_table(of, "specific_heat", specific_heat)
     latent = np.asarray(latent_heat, dtype=float)
-    latent = checks.array("latent_heat", latent, (len(latent), 3)) if latent.size else np.empty((0, 3))
-    if not ((latent[:, 0] >= 0).all() and (latent[:, 2] > latent[:, 1]).all()):
-        raise ValueError("latent_heat must not be negative, and the liquidus must be above the solidus")
-    mass = checks.positive("density", density) * checks.positive("area", area) * checks.positive("length", length)
-    k, r = _core.f2py_heat.heat_capacity(
-        checks.array("temperature", temperature, (2,)),
-        checks.array("before", before, (2,)),
-        mass / checks.positive("time", time),
-        table("specific_heat", specific_heat),
-        latent.T,
-    )
-    return HeatCapacity(np.diag(k), r)
+    latent = np.empty((0, 3)) if latent.size == 0 else latent
+    latent = checks.leading("latent_heat", latent, (*latent.shape[-2:-1], 3))
+    if latent.ndim == 1 or not ((latent[..., 0] >= 0).all() and (latent[..., 2] > latent[..., 1]).all()):
+        raise ValueError(
+            "latent_heat must have shape (m, 3), not be negative, and the liquidus must be above the solidus"
+        )
+    of.share("latent_heat", latent, 2)
+    k, r = of.call([(2, 2), (2,)], _core.f2py_heat.heat_capacity, *of.columns(), *of.shared_columns())
+    return HeatCapacity(of.result(k), of.result(r))
 
 
-def _conductance(voltage: float, current: float | None, conductance: float | None) -> float:
-    """Conductance of a spot that is described by its current or directly."""
+def _take_conductance(of: Batch, volts: Floats, current: Numbers | None, conductance: Numbers | None) -> Floats:
+    """Take the conductance of a spot that is described by its current or directly."""
     if conductance is None and current is None:
         raise ValueError("current or conductance is needed")
-    if conductance is None:
-        i = checks.number("current", current)  # type: ignore[arg-type]
-        if voltage == 0:
-            raise ValueError("without a voltage, the current does not tell what conducts: conductance is needed")
-        if voltage * i < 0:
-            raise ValueError(f"current must have the sign of the voltage, {voltage:g} V, but is {i:g} A")
-        return i / voltage
-    g = not_negative("conductance", conductance)
-    if current is not None and not np.isclose(checks.number("current", current), g * voltage, rtol=1e-6, atol=0):
-        raise ValueError(f"current and conductance contradict each other: G V is {g * voltage:g} A")
+    i = None if current is None else checks.leading("current", current, ())
+    if conductance is not None:
+        g = of.not_negative("conductance", conductance)
+        if i is not None and not np.isclose(i, g * volts, rtol=1e-6, atol=0).all():
+            at = "" if np.ndim(g * volts) else f": G V is {float(g * volts):g} A"
+            raise ValueError(f"current and conductance contradict each other{at}")
+        return g
+    if i is None or (volts == 0).any():
+        raise ValueError("without a voltage, the current does not tell what conducts: conductance is needed")
+    against, pressed = np.broadcast_arrays(i, volts)
+    opposite = pressed * against < 0
+    if opposite.any():
+        raise ValueError(
+            f"current must have the sign of the voltage, {pressed[opposite][0]:g} V, but is {against[opposite][0]:g} A"
+        )
+    g = i / volts
+    of.take("current and voltage", g, 0)
     return g
 
 
-def _heat_conductances(value: float | Sequence[float | None] | None) -> NDArray[np.float64]:
+def _heat_conductances(value: Numbers | Sequence[Numbers | None] | None) -> Floats:
     """Heat conductances of two constrictions, NaN for that of a metal."""
-    pair = list(value) if isinstance(value, Sequence | np.ndarray) else [value, value]
-    if len(pair) != 2:
-        raise ValueError(f"heat_conductance must be a number or two, not {len(pair)}")
-    return np.array([np.nan if one is None else checks.positive("heat_conductance", one) for one in pair])
-
-
-def _temperatures(name: str, value: ArrayLike, absolute_zero: float) -> NDArray[np.float64]:
-    """Temperatures of two nodes or wires, not below absolute zero."""
-    result = checks.array(name, value, (2,))
-    if (result < absolute_zero).any():
-        raise ValueError(f"{name} must not be below absolute zero, {absolute_zero:g}, but holds {result.min():g}")
+    if isinstance(value, list | tuple):
+        if len(value) != 2:
+            raise ValueError(f"heat_conductance must be a number or two, not {len(value)}")
+        ends = [np.array(np.nan) if one is None else checks.all_positive("heat_conductance", one) for one in value]
+        return np.stack(np.broadcast_arrays(*ends), axis=-1)
+    if value is None:
+        return np.full(2, np.nan)
+    result = checks.leading_pair("heat_conductance", value)  # type: ignore[arg-type]
+    checks.refuse("heat_conductance", result, result <= 0, 1, "must be greater than 0, {but}")
     return result
 
 
-def not_negative(name: str, value: float) -> float:
-    """The number, after checking it."""
-    result = checks.number(name, value)
-    if result < 0:
-        raise ValueError(f"{name} must not be negative, but is {result:g}")
+def _take_temperatures(of: Batch, value: ArrayLike, zero: Floats) -> None:
+    """Take temperatures of two nodes, not below absolute zero."""
+    result = of.array("temperature", value, (2,))
+    if (result < zero[..., np.newaxis]).any():
+        raise ValueError(f"temperature must not be below absolute zero, {np.max(zero):g}, but holds {result.min():g}")
+
+
+def _take_temperatures_above_zero(of: Batch, value: ArrayLike) -> None:
+    """Take temperatures of two bulks, from absolute zero."""
+    result = of.array("temperature", value, (2,))
+    checks.refuse("temperature", result, result < 0, 1, "must not be below absolute zero, 0, but holds {value:g}")
+    checks.refuse("temperature", result, result <= 0, 1, "must be greater than 0 K, but holds {value:g}")
+
+
+def take_film(of: Batch, heat_conductance: Numbers | None) -> None:
+    """Take the resistance of a film to heat, 0 without one."""
+    film = (
+        np.zeros(()) if heat_conductance is None else 1 / checks.all_positive("film_heat_conductance", heat_conductance)
+    )
+    of.take("film_heat_conductance", film, 0)
+
+
+def not_negative(name: str, value: Numbers) -> Floats:
+    """The numbers, after checking them."""
+    result = checks.leading(name, value, ())
+    checks.refuse(name, result, result < 0, 0, "must not be negative, but is {value:g}")
     return result
 
 
-def table(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """A property over temperature (2, n), or one number as a table, after checking it."""
-    if np.ndim(value) == 0:
-        return np.array([[0.0], [checks.positive(name, value)]])  # type: ignore[arg-type]
+def share_table(of: Batch, name: str, value: ArrayLike | None) -> None:
+    """Take a property over temperature, shape (..., 2, n), or numbers (n,) or one as tables of one pair; None: it is 0."""
+    of.share(name, np.zeros((1, 2)) if value is None else np.swapaxes(_table(name, value), -1, -2), 2)
+
+
+def _table(name: str, value: ArrayLike) -> Floats:
+    if np.ndim(value) < 2:
+        number = checks.all_positive(name, value)
+        return np.stack([np.zeros_like(number), number], axis=-1)[..., np.newaxis]
     shape = np.shape(value)
-    if len(shape) != 2 or shape[0] != 2 or shape[1] < 1:
+    if shape[-2] != 2 or shape[-1] < 1:
         raise ValueError(f"{name} must be a number or have shape (2, n), temperatures and values, not {shape}")
-    table = checks.array(name, value, shape)
-    if (np.diff(table[0]) <= 0).any():
+    table = checks.leading(name, value, shape[-2:])
+    if (np.diff(table[..., 0, :]) <= 0).any():
         raise ValueError(f"the temperatures of {name} must ascend")
-    if (table[1] <= 0).any():
-        raise ValueError(f"the values of {name} must be greater than 0, but hold {table[1].min():g}")
+    if (table[..., 1, :] <= 0).any():
+        raise ValueError(f"the values of {name} must be greater than 0, but hold {table[..., 1, :].min():g}")
     return table

@@ -31,6 +31,8 @@ SPOT_LAWS, SPOT_FIELDS = law_table(_SPOT_NAMES, _SPOT_VALUES)
 SPOT_NEEDED = {law: int(_SPOT_NEEDED[number - 1]) for law, number in SPOT_LAWS.items()}
 PRESSURE_LAWS, PRESSURE_FIELDS = law_table(*_core.f2py_surface.pressure_law_names()[:2])
 CONDUCTANCE_LAWS, CONDUCTANCE_FIELDS = law_table(*_core.f2py_surface.conductance_law_names()[:2])
+#: The arguments that have the numbers of any law
+_MANY_NUMBERS = ("law_value", "normal_value")
 #: The argument that has the numbers of each normal law that has some
 _NORMAL_VALUES = {**{law: "normal_value" for law, fields in NORMAL_FIELDS.items() if fields}, "linear": "eps_n"}
 
@@ -75,18 +77,23 @@ def law_data(
     fields: list[str],
     n_needed: int | None = None,
 ) -> NDArray[np.float64]:
-    """The numbers of a law, after checking them; a law without any gets one that it does not look at.
+    """The numbers of a law, shape (..., numbers), after checking them; one that it does not look at if it has none.
 
-    `n_needed` of `fields` must be given, all of them when it is None.
+    `n_needed` of `fields` must be given, all of them when it is None. An argument for numbers of any law has them in its
+    last axis; that of a single number has none of its own.
     """
     if wanted is None:
         return np.ones(1)
     value = values[wanted]
     if value is None:
         raise ValueError(f"{law} needs {wanted}")
+    numbers = checks.all_positive(wanted, value)
+    if wanted not in _MANY_NUMBERS:
+        return numbers[..., np.newaxis]
     n_needed = len(fields) if n_needed is None else n_needed
-    if not n_needed <= np.size(value) <= len(fields):
+    numbers = np.atleast_1d(numbers)
+    if not n_needed <= numbers.shape[-1] <= len(fields):
         names = ", ".join(fields[:n_needed] + [f"{field}, optional" for field in fields[n_needed:]])
         number = f"{len(fields)}" if n_needed == len(fields) else f"{n_needed} to {len(fields)}"
-        raise ValueError(f"{wanted} of {law} must have {number} numbers ({names}), not {np.size(value)}")
-    return np.array([checks.positive(wanted, number) for number in np.ravel(value)])
+        raise ValueError(f"{wanted} of {law} must have {number} numbers ({names}), not {numbers.shape[-1]}")
+    return numbers

@@ -8,11 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
-from . import batch, checks
+from . import checks
 from .axes import AXES, Axis
-from .wire_pair import Numbers
-
-Floats = NDArray[np.float64]
+from .batch import Batch, Floats
+from .wire_pair import Numbers, take_geometry, take_properties
 
 # The constants of the kernel
 _LINE_ACTIVE = 0
@@ -102,7 +101,7 @@ def line_law(
     angle: Numbers = 0.0,
     film: Numbers = 0.0,
     yield_stress: Numbers | None = None,
-    hardness: float | None = None,
+    hardness: Numbers | None = None,
     largest_force_per_length: Numbers = 0.0,
 ) -> LineLaw:
     """Strip, approach and conductance per length of two round wires pressed together along a line.
@@ -155,35 +154,41 @@ def line_law(
     >>> print(f"{law.half_width:.4g} m, {law.approach:.4g} m, {law.conductance:.4g} S/m")
     3.063e-06 m, 5.904e-08 m, 1.399e+07 S/m
     """
-    n = len(np.asarray(force_per_length)) if np.ndim(force_per_length) == 1 else None
-    force = batch.points("force_per_length", force_per_length, (), n)
-    of_wires = [value.T for value in _properties(radius, young, poisson, resistivity, n)]
-    angles, films = _angles(angle, n), batch.not_negative("film", film, n)
-    largest = batch.not_negative("largest_force_per_length", largest_force_per_length, n)
+    of = Batch()
+    force = of.array("force_per_length", force_per_length)
+    take_properties(of, radius, young, poisson, resistivity)
+    _take_angle(of, angle)
+    of.not_negative("film", film)
+    largest = checks.leading("largest_force_per_length", largest_force_per_length, ())
+    checks.refuse("largest_force_per_length", largest, largest < 0, 0, "must not be negative, but is {value:g}")
     if yield_stress is None:
         if largest.any():
             raise ValueError("largest_force_per_length needs yield_stress: elastic wires remember none")
         if hardness is not None:
             raise ValueError("hardness needs yield_stress")
-        values, too_wide = _core.f2py_line.line_laws(force, *of_wires, angles, films)
-        values = np.vstack([values, np.zeros(len(force))])
+        values, too_wide = of.call([(5,), ()], _core.f2py_line.line_laws, *of.columns())
+        values = np.vstack([values, np.zeros(of.n)])
     else:
-        stress = np.full(2, yield_stress) if np.ndim(yield_stress) == 0 else yield_stress
-        stresses = batch.positive("yield_stress", stress, (2,), n)
-        given_hardness = 0.0 if hardness is None else checks.positive("hardness", hardness)
-        found, onset, too_wide = _core.f2py_yielding.line_law_of_points(
-            force, 0, largest, *of_wires, angles, films, stresses.T, given_hardness
+        of.positive_pair("yield_stress", yield_stress)
+        given = np.zeros(()) if hardness is None else checks.all_positive("hardness", hardness)
+        of.take("hardness", given, 0)
+        of.take("largest_force_per_length", largest, 0)
+        force, *others, largest = of.columns()
+        found, onset, too_wide = of.call(
+            [(7,), (3,), ()], _core.f2py_yielding.line_law_of_points, force, 0, largest, *others
         )
-        if hardness is not None and (hardness <= onset[0]).any():
+        soft = (others[-1] > 0) & (others[-1] <= onset[0])
+        if soft.any():
+            first = int(np.argmax(soft))
             raise ValueError(
-                f"hardness must be greater than the pressure at which the wires begin to yield, {onset[0].max():g} Pa, "
-                f"not {hardness:g} Pa"
+                f"{of.named(soft, 'point')}hardness must be greater than the pressure at which the wires begin to yield, "
+                f"{onset[0, first]:g} Pa, not {others[-1][first]:g} Pa"
             )
         found[1] *= force > 0
         values = found[[3, 1, 2, 4, 5, 6]]
     if too_wide.any():
-        raise ValueError(batch.named(too_wide != 0, n) + _TOO_WIDE)
-    return LineLaw(*(values if n is not None else map(float, values[:, 0])))
+        raise ValueError(of.named(too_wide != 0, "point") + _TOO_WIDE)
+    return LineLaw(*of.results(values))
 
 
 def line_point(
@@ -208,6 +213,7 @@ def line_point(
     start: Numbers | None = None,
     series_resistance: ArrayLike = (0.0, 0.0),
     rotation_vectors: ArrayLike | None = None,
+    tangent: bool = True,
 ) -> LinePoint:
     """One point of the contact of two wires along a line: tangent and residual.
 
@@ -288,78 +294,42 @@ def line_point(
     >>> print(f"{point.force:.3f} N, {point.current:.3f} A")
     7.098 N, 58.484 A
     """
-    positions = np.asarray(x, dtype=float)
-    n = len(positions) if positions.ndim == 3 else None
-    place = batch.points("xi", xi, (), n)
-    batch.check((place >= -1) & (place <= 1), n, "xi must be from -1 to 1")
-    vectors = batch.points(
-        "rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3), n
-    )
-    before = batch.points("normal_before", np.zeros(3) if normal_before is None else normal_before, (3,), n)
-    weights = batch.positive("weight", weight, (), n)
-    k, r, numbers, normal, info = _core.f2py_line.line_points(
-        batch.points("x", x, (4, 3), n).T,
-        _tangents(t, n).T,
-        batch.positive("length", length, (2,), n).T,
-        batch.points("v", v, (4,), n).T,
-        place,
-        weights,
-        *(value.T for value in _properties(radius, young, poisson, resistivity, n)),
-        _angles(angle, n),
-        np.zeros(len(place)) if eps_l is None else batch.positive("eps_l", eps_l, (), n),
-        batch.not_negative("film", film, n),
-        np.zeros(len(place)) if hardness is None else batch.positive("hardness", hardness, (), n),
-        checks.choice("axis", axis, AXES),
-        batch.points("ends", ends, (2,), n).T,
-        before.T,
-        start is not None,
-        batch.points("start", 0.0 if start is None else start, (), n),
-        batch.not_negative("series_resistance", series_resistance, n, (2,)).T,
-        rotation_vectors is not None,
-        vectors.T,
-    )
-    for failure, words in _FAILURES.items():
-        if (info == failure).any():
-            raise ValueError(batch.named(info == failure, n) + words)
-    xi_bar, gap, angles, force, half_width, resistance, current, voltage_gap, per_length, energy, quality, at_end = (
-        numbers
-    )
+    of = Batch()
+    take_geometry(of, x, t, length)
+    of.array("v", v, (4,))
+    place = of.array("xi", xi)
+    checks.refuse("xi", place, (place < -1) | (place > 1), 0, "must be from -1 to 1, not {value:g}")
+    of.positive("weight", weight)
+    take_properties(of, radius, young, poisson, resistivity)
+    _take_angle(of, angle)
+    of.take("eps_l", np.zeros(()) if eps_l is None else checks.all_positive("eps_l", eps_l), 0)
+    of.not_negative("film", film)
+    of.take("hardness", np.zeros(()) if hardness is None else checks.all_positive("hardness", hardness), 0)
+    of.array("ends", ends, (2,))
+    of.array("normal_before", np.zeros(3) if normal_before is None else normal_before, (3,))
+    of.array("start", 0.0 if start is None else start)
+    of.not_negative("series_resistance", series_resistance, (2,))
+    of.array("rotation_vectors", np.zeros((4, 3)) if rotation_vectors is None else rotation_vectors, (4, 3))
+    columns = of.columns()
+    k = of.room((28, 28), tangent)
+    r, numbers, normal, info = of.call(
+        [(28,), (12,), (3,), ()], _core.f2py_line.line_points,
+        *columns, checks.choice("axis", axis, AXES), start is not None, rotation_vectors is not None, k, tangent,
+    )  # fmt: skip
+    of.raise_failures(info, _FAILURES, "point")
+    places, weights = columns[4:6]
+    xi_bar, gap, _, force, half_width, resistance, current, voltage_gap, per_length, energy, quality, at_end = numbers
     spot_radius = np.sqrt(2 * half_width * weights / np.pi)
     fields: list[NDArray[Any]] = [
-        np.moveaxis(k, -1, 0), r.T, info == _LINE_ACTIVE, xi_bar, place, gap, normal.T, force, spot_radius, resistance,
-        current, voltage_gap, angles, half_width, per_length, energy, quality, at_end != 0,
+        r, info == _LINE_ACTIVE, xi_bar, places, gap, normal, force, spot_radius, resistance, current, voltage_gap,
+        numbers[2], half_width, per_length, energy, quality, at_end != 0,
     ]  # fmt: skip
-    return LinePoint(*(fields if n is not None else [f[0] if f.ndim > 1 else f[0].item() for f in fields]))
+    return LinePoint(of.result(k) if tangent else of.empty(0, 0), *map(of.result, fields))
 
 
-def _angles(angle: Numbers, n: int | None) -> Floats:
-    result = batch.points("angle", angle, (), n)
-    batch.check((result >= 0) & (result <= np.pi), n, "angle must be from 0 (parallel wires) to pi")
-    return result
-
-
-def _tangents(t: ArrayLike, n: int | None) -> Floats:
-    result = batch.points("t", t, (4, 3), n)
-    error = np.abs(np.linalg.norm(result, axis=2) - 1)
-    batch.check(
-        error <= checks.TRIAD_TOLERANCE, n, f"t must have rows of unit length (to {checks.TRIAD_TOLERANCE:.0e})"
-    )
-    return result
-
-
-def _properties(
-    radius: Numbers, young: Numbers, poisson: Numbers, resistivity: Numbers, n: int | None
-) -> tuple[Floats, Floats, Floats, Floats]:
-    """Pairs of properties of each point, after checking them."""
-
-    def pairs(name: str, value: Numbers) -> ArrayLike:
-        return checks.pair(name, value) if np.ndim(value) == 0 else value
-
-    nu = batch.points("poisson", pairs("poisson", poisson), (2,), n)
-    batch.check((nu > -1) & (nu < 0.5), n, "poisson must be between -1 and 0.5, both excluded")
-    return (
-        batch.positive("radius", pairs("radius", radius), (2,), n),
-        batch.positive("young", pairs("young", young), (2,), n),
-        nu,
-        batch.positive("resistivity", pairs("resistivity", resistivity), (2,), n),
+def _take_angle(of: Batch, angle: Numbers) -> None:
+    """Take the angle of a law of lines."""
+    result = of.array("angle", angle)
+    checks.refuse(
+        "angle", result, (result < 0) | (result > np.pi), 0, "must be from 0 (parallel wires) to pi, not {value:g}"
     )

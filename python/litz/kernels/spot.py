@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
+from .batch import Batch, Floats
 from .laws import CONDUCTANCE_LAWS, SPOT_FIELDS, SPOT_LAWS, SPOT_NEEDED, law_data, law_per_spot
-from .wire_pair import Numbers, properties
-from .yielding import crossing_angle, refuse, refuse_wide, yield_data
+from .wire_pair import Numbers, take_properties
+from .yielding import refuse, refuse_wide, take_crossing_angle, take_yielding
 
 #: "none", or the name of a law of `*GAP ELECTRICAL CONDUCTANCE` in lower case
 SpotLaw = str
@@ -29,47 +30,48 @@ _LAW_VALUES = {
 
 
 class ContactSpot(NamedTuple):
-    """Contact spot under a given force."""
+    """Contact spot under a given force; of many contacts each number is an array."""
 
     #: Larger half axis of the spot [m]; 0 for laws without a spot (constant, table)
-    semi_major: float
+    semi_major: float | Floats
     #: Smaller half axis [m]
-    semi_minor: float
+    semi_minor: float | Floats
     #: Elastic approach of the two axes [m]; 0 for laws without one (plastic, constant, table)
-    approach: float
+    approach: float | Floats
     #: Conductance of the spot [S]
-    conductance: float
+    conductance: float | Floats
     #: Derivative of the conductance by the force at fixed angle [S/N]
-    dconductance_dforce: float
+    dconductance_dforce: float | Floats
     #: Derivative of the conductance by the angle at fixed force [S/rad]
-    dconductance_dangle: float
+    dconductance_dangle: float | Floats
 
 
 def contact_spot(
-    force: float,
+    force: Numbers,
     *,
     radius: Numbers,
     young: Numbers,
     poisson: Numbers,
     resistivity: Numbers,
-    angle: float,
+    angle: Numbers,
     law: SpotLaw = "hertz",
-    hardness: float | None = None,
-    film_resistivity: float | None = None,
-    resistance: float | None = None,
+    hardness: Numbers | None = None,
+    film_resistivity: Numbers | None = None,
+    resistance: Numbers | None = None,
     law_value: Numbers | None = None,
     table: ArrayLike | None = None,
     yield_stress: Numbers | None = None,
-    largest_force: float = 0.0,
+    largest_force: Numbers = 0.0,
     mean_free_path: Numbers = 0.0,
 ) -> ContactSpot:
     """Spot and conductance of two round wires pressed together.
 
     Parameters
     ----------
-    force : float
-        Contact force [N]. Without a positive force there is no spot: all results are 0, although the slope of the
-        conductance over the force is infinite there for most laws.
+    force : float or array_like
+        Contact force [N]; all arguments that hold numbers may have leading axes, see `litz.kernels`. Without a positive
+        force there is no spot: all results are 0, although the slope of the conductance over the force is infinite there
+        for most laws.
     radius, young, poisson, resistivity : float or array_like, shape (2,)
         Radii [m], Young's moduli [Pa], Poisson's ratios [-] and resistivities [ohm m] of the barred and the unbarred
         wire; one number serves both.
@@ -134,7 +136,10 @@ def contact_spot(
     >>> print(f"{1 / pressed.conductance:.4g} ohm, {1 / released.conductance:.4g} ohm")
     0.0002373 ohm, 0.000462 ohm
     """
-    of_wires = properties(radius, young, poisson, resistivity)
+    of = Batch()
+    of.array("force", force)
+    radii = take_properties(of, radius, young, poisson, resistivity)
+    take_crossing_angle(of, angle)
     law_number, data = spot_law_data(
         "law",
         law,
@@ -144,53 +149,31 @@ def contact_spot(
         law_value=law_value,
         table=table,
     )
-    angle = crossing_angle(angle)
-    paths = checks.pair("mean_free_path", mean_free_path)
+    paths = checks.leading_pair("mean_free_path", mean_free_path)
     if yield_stress is None and not paths.any():
-        if largest_force != 0:
+        if np.any(checks.leading("largest_force", largest_force, ())):
             raise ValueError("largest_force needs yield_stress: elastic wires remember none")
-        values, info = _core.f2py_contact.contact_spot(
-            law_number, data, checks.number("force", force), *of_wires, angle
+        of.share("data of the law", data, 1)
+        values, info = of.call(
+            [(6,), ()], _core.f2py_contact.contact_spots, law_number, *of.shared_columns(), *of.columns()
         )
-        refuse(info, 0.0, np.zeros(2), 0.0, angle)
-        return ContactSpot(*map(float, values))
-    return _metal_spot(force, of_wires, angle, law, film_resistivity, yield_stress, hardness, largest_force, paths)
-
-
-def _metal_spot(
-    force: float,
-    of_wires: tuple[NDArray[np.float64], ...],
-    angle: float,
-    law: SpotLaw,
-    film_resistivity: float | None,
-    yield_stress: Numbers | None,
-    hardness: float | None,
-    largest_force: float,
-    mean_free_path: NDArray[np.float64],
-) -> ContactSpot:
-    """The spot of a law that knows its area, of metal that yields or has a mean free path."""
+        refuse(of, info)
+        return ContactSpot(*of.results(values))
     if law not in _ELASTIC_SPOTS:
         names = "yield_stress belongs" if yield_stress is not None else "mean_free_path belongs"
         raise ValueError(f'{names} to the spot laws "hertz" and "film", not to "{law}"')
-    if (mean_free_path < 0).any():
-        raise ValueError(f"mean_free_path must not be negative, but holds {mean_free_path.min():g}")
-    largest = checks.number("largest_force", largest_force)
-    if largest < 0:
-        raise ValueError(f"largest_force must not be negative, not {largest:g}")
-    stresses, hardness_value = yield_data(yield_stress, hardness)
-    values, widest, yield_pressure, info = _core.f2py_yielding.spot_of_force(
-        checks.number("force", force),
-        largest,
-        *of_wires,
-        angle,
-        stresses,
-        hardness_value,
-        mean_free_path,
-        0.0 if film_resistivity is None else film_resistivity,
+    take_yielding(of, yield_stress, hardness)
+    checks.refuse("mean_free_path", paths, paths < 0, 1, "must not be negative, but holds {value:g}")
+    of.take("mean_free_path", paths, 1)
+    of.not_negative("film_resistivity", 0.0 if film_resistivity is None else film_resistivity)
+    of.not_negative("largest_force", largest_force)
+    *most, largest = of.columns()
+    values, widest, yield_pressure, info = of.call(
+        [(6,), (), (), ()], _core.f2py_yielding.spots_of_forces, most[0], largest, *most[1:]
     )
-    refuse(info, hardness_value, stresses, yield_pressure, angle)
-    refuse_wide(widest, of_wires[0])
-    return ContactSpot(*map(float, values))
+    refuse(of, info, yield_pressure)
+    refuse_wide(of, widest, radii)
+    return ContactSpot(*of.results(values))
 
 
 def spot_law_data(
@@ -207,20 +190,20 @@ def spot_law_data(
     if table is not None and law != "table":
         raise ValueError(f'table belongs to the spot law "table", not to "{law}"')
     if law == "table":
-        return number, np.column_stack(_table(table)).ravel()
+        return number, _table(table)
     return number, law_data(f'the spot law "{law}"', wanted, values, SPOT_FIELDS.get(law, []), SPOT_NEEDED.get(law))
 
 
-def _table(table: ArrayLike | None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Forces and resistances of a table, after checking them."""
+def _table(table: ArrayLike | None) -> Floats:
+    """Pairs of force and resistance of a table, one after the other, after checking them."""
     if table is None:
         raise ValueError('the spot law "table" needs table: forces [N] and resistances [ohm], shape (2, n)')
     shape = np.shape(table)
-    if len(shape) != 2 or shape[0] != 2 or shape[1] < 1:
+    if len(shape) < 2 or shape[-2] != 2 or shape[-1] < 1:
         raise ValueError(f"table must have shape (2, n), forces and resistances, not {shape}")
-    forces, resistances = checks.array("table", table, shape)
-    if not ((forces > 0).all() and (resistances > 0).all()):
+    values = checks.leading("table", table, shape[-2:])
+    if not (values > 0).all():
         raise ValueError("table must hold positive forces and resistances only")
-    if (np.diff(forces) <= 0).any():
+    if (np.diff(values[..., 0, :]) <= 0).any():
         raise ValueError("the forces of table must ascend")
-    return forces, resistances
+    return np.swapaxes(values, -1, -2).reshape(*shape[:-2], 2 * shape[-1])

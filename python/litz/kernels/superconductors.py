@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
+from .batch import Batch
+from .wire_pair import Numbers
 
 #: Electric field at which a current counts as critical [V/m]
 CRITERION = 1e-4
-#: Numbers of the ITER-2008 parametrization of Nb3Sn, and of Bottura's fit for Nb-Ti
-_NB3SN = ("C", "Bc20", "Tc0", "p", "q", "Ca1", "Ca2", "e0", "em")
-_NBTI = ("jref", "C0", "Bc20", "Tc0", "alpha", "beta", "gamma")
 
 
 class CriticalDensity(NamedTuple):
@@ -55,19 +54,19 @@ class Superconductor(NamedTuple):
 
 
 def nb3sn(
-    temperature: float,
-    field: float,
-    strain: float = 0.0,
+    temperature: Numbers,
+    field: Numbers,
+    strain: Numbers = 0.0,
     *,
-    C: float,  # noqa: N803
-    Bc20: float,  # noqa: N803
-    Tc0: float,  # noqa: N803
-    p: float,
-    q: float,
-    Ca1: float,  # noqa: N803
-    Ca2: float,  # noqa: N803
-    e0: float,
-    em: float = 0.0,
+    C: Numbers,  # noqa: N803
+    Bc20: Numbers,  # noqa: N803
+    Tc0: Numbers,  # noqa: N803
+    p: Numbers,
+    q: Numbers,
+    Ca1: Numbers,  # noqa: N803
+    Ca2: Numbers,  # noqa: N803
+    e0: Numbers,
+    em: Numbers = 0.0,
 ) -> CriticalDensity:
     """Critical current density of Nb3Sn by the ITER-2008 parametrization.
 
@@ -100,27 +99,32 @@ def nb3sn(
     >>> f"{nb3sn(4.2, 12.0, -0.005, **strand).value:.4g} A/m^2 at 4.2 K, 12 T and -0.5 %"
     '7.717e+08 A/m^2 at 4.2 K, 12 T and -0.5 %'
     """
-    values = [C, Bc20, Tc0, p, q, Ca1, Ca2, e0, em]
-    for name, value in zip(_NB3SN, values, strict=True):
-        (checks.number if name in ("Ca2", "em") else checks.positive)(name, value)
-    if not 0 <= Ca2 < Ca1 or Ca1 * e0 >= 1:
-        raise ValueError(f"Ca2 must be from 0 to less than Ca1, and Ca1 e0 less than 1; they are {Ca2:g}, {Ca1:g}, {e0:g}")
-    return CriticalDensity(
-        *_core.f2py_superconductor.nb3sn(values, *_place(temperature, field), checks.number("strain", strain)).tolist()
-    )
+    of = _at(temperature, field)
+    of.array("strain", strain)
+    given = Batch()
+    for name, value in dict(C=C, Bc20=Bc20, Tc0=Tc0, p=p, q=q, Ca1=Ca1).items():
+        given.positive(name, value)
+    invariants = given.positive("Ca1", Ca1), given.not_negative("Ca2", Ca2)
+    given.positive("e0", e0)
+    given.array("em", em)
+    beyond = (invariants[1] >= invariants[0]) | (invariants[0] * np.asarray(e0) >= 1)
+    checks.refuse("Ca1", np.broadcast_to(invariants[0], beyond.shape), beyond, 0,
+                  "must be more than Ca2 and less than 1/e0, {but}")  # fmt: skip
+    _take_parameters(of, [C, Bc20, Tc0, p, q, Ca1, Ca2, e0, em])
+    return CriticalDensity(*of.results(of.call_for_one((4,), _core.f2py_superconductor.nb3sn, *of.columns())))
 
 
 def nbti(
-    temperature: float,
-    field: float,
+    temperature: Numbers,
+    field: Numbers,
     *,
-    jref: float,
-    C0: float,  # noqa: N803
-    Bc20: float,  # noqa: N803
-    Tc0: float,  # noqa: N803
-    alpha: float,
-    beta: float,
-    gamma: float,
+    jref: Numbers,
+    C0: Numbers,  # noqa: N803
+    Bc20: Numbers,  # noqa: N803
+    Tc0: Numbers,  # noqa: N803
+    alpha: Numbers,
+    beta: Numbers,
+    gamma: Numbers,
 ) -> CriticalDensity:
     """Critical current density of Nb-Ti by Bottura's fit.
 
@@ -151,13 +155,15 @@ def nbti(
     >>> f"{nbti(4.2, 5.0, **lhc).value / 3e9:.3f}"
     '0.977'
     """
-    values = [jref, C0, Bc20, Tc0, alpha, beta, gamma]
-    for name, value in zip(_NBTI, values, strict=True):
-        checks.positive(name, value)
-    return CriticalDensity(*_core.f2py_superconductor.nbti(values, *_place(temperature, field)).tolist())
+    of = _at(temperature, field)
+    given = Batch()
+    for name, value in dict(jref=jref, C0=C0, Bc20=Bc20, Tc0=Tc0, alpha=alpha, beta=beta, gamma=gamma).items():
+        given.positive(name, value)
+    _take_parameters(of, [jref, C0, Bc20, Tc0, alpha, beta, gamma])
+    return CriticalDensity(*of.results(of.call_for_one((4,), _core.f2py_superconductor.nbti, *of.columns())))
 
 
-def critical_table(temperature: float, field: float, densities: ArrayLike) -> CriticalDensity:
+def critical_table(temperature: Numbers, field: Numbers, densities: ArrayLike) -> CriticalDensity:
     """Critical current density from a table, linear between its temperatures and flux densities, constant outside.
 
     Parameters
@@ -191,13 +197,13 @@ def critical_table(temperature: float, field: float, densities: ArrayLike) -> Cr
     grid[at_t, at_b] = rows[:, 0]
     if np.isnan(grid).any() or len(rows) != grid.size:
         raise ValueError("densities must hold every temperature at every flux density, once")
-    return CriticalDensity(
-        *_core.f2py_superconductor.critical_table(temperatures, fields, grid, *_place(temperature, field)).tolist()
-    )
+    of = _at(temperature, field)
+    found = of.call_for_one((4,), _core.f2py_superconductor.critical_table, *of.columns(), temperatures, fields, grid)
+    return CriticalDensity(*of.results(found))
 
 
 def parallel_field(
-    current: float, *, conductivity: float, critical: float, exponent: float, criterion: float = CRITERION
+    current: Numbers, *, conductivity: Numbers, critical: Numbers, exponent: Numbers, criterion: Numbers = CRITERION
 ) -> ParallelField:
     """Electric field at which filaments and metal in parallel carry a current: ``J = s E + jc (E/Ec)^(1/n)``.
 
@@ -226,21 +232,23 @@ def parallel_field(
     >>> f"{parallel_field(0.9e9, conductivity=1e-3, critical=1e9, exponent=10).value / 1e-4:.4f}"
     '0.3487'
     """
-    law = _law(conductivity, critical, criterion, exponent)
-    return ParallelField(*_core.f2py_superconductor.parallel_field(law, checks.number("current", current)).tolist())
+    of = Batch()
+    of.array("current", current)
+    _take_law(of, conductivity, critical, criterion, exponent)
+    return ParallelField(*of.results(of.call_for_one((4,), _core.f2py_superconductor.parallel_field, *of.columns())))
 
 
 def superconductor(
-    current: float,
+    current: Numbers,
     v: ArrayLike,
-    length: float,
+    length: Numbers,
     *,
-    area: float,
-    resistivity: float,
-    fraction: float,
-    critical: float,
-    exponent: float,
-    criterion: float = CRITERION,
+    area: Numbers,
+    resistivity: Numbers,
+    fraction: Numbers,
+    critical: Numbers,
+    exponent: Numbers,
+    criterion: Numbers = CRITERION,
 ) -> Superconductor:
     """A wire with superconducting filaments, whose current is an unknown beside the potentials.
 
@@ -282,35 +290,44 @@ def superconductor(
     >>> f"{v[0] / 0.01 / parallel_field(90 / 0.5e-6, conductivity=0.6e10, critical=1.6e8, exponent=20).value:.6f}"
     '1.000016'
     """
-    part = checks.positive("fraction", fraction)
-    if part >= 1:
-        raise ValueError(f"fraction must be less than 1, not {part:g}")
-    rho = checks.positive("resistivity", resistivity)
-    law = _law((1 - part) / rho, part * critical, criterion, exponent)
-    voltage = checks.array("v", v, (2,))
-    flow = _core.f2py_superconductor.superconductor(
-        checks.positive("length", length),
-        checks.positive("area", area),
-        rho,
-        law,
-        checks.number("current", current),
-        voltage[0] - voltage[1],
+    of = Batch()
+    of.array("current", current)
+    of.array("v", v, (2,))
+    of.positive("length", length)
+    of.positive("area", area)
+    rho = of.positive("resistivity", resistivity)
+    part = Batch().positive("fraction", fraction)
+    checks.refuse("fraction", part, part >= 1, 0, "must be less than 1, not {value:g}")
+    _take_law(of, (1 - part) / rho, part * Batch().not_negative("critical", critical), criterion, exponent)
+    flow = of.call_for_one((4,), _core.f2py_superconductor.superconductor, *of.columns())
+    signs = np.array([1.0, -1.0])
+    return Superconductor(
+        of.result(np.outer(signs, signs)[:, :, None] * flow[1]), of.result(signs[:, None] * flow[0]), *of.results(flow[2:])
     )
-    return Superconductor(flow[1] * np.array([[1.0, -1.0], [-1.0, 1.0]]), flow[0] * np.array([1.0, -1.0]), *flow[6:].tolist())
 
 
-def _place(temperature: float, field: float) -> tuple[float, float]:
+def _at(temperature: Numbers, field: Numbers) -> Batch:
     """Temperature and flux density, which are not negative."""
-    values = checks.number("temperature", temperature), checks.number("field", field)
-    if min(values) < 0:
-        raise ValueError(f"temperature and field must not be negative; they are {values[0]:g} and {values[1]:g}")
-    return values
+    of = Batch()
+    of.not_negative("temperature", temperature)
+    of.not_negative("field", field)
+    return of
 
 
-def _law(conductivity: float, critical: float, criterion: float, exponent: float) -> list[float]:
-    """The numbers of the law, after checking them."""
-    if checks.number("critical", critical) < 0:
-        raise ValueError(f"critical must not be negative, but is {critical:g}")
-    if checks.number("exponent", exponent) < 1:
-        raise ValueError(f"exponent must be 1 or more, not {exponent:g}")
-    return [checks.positive("conductivity", conductivity), critical, checks.positive("criterion", criterion), exponent]
+def _take_parameters(of: Batch, values: list[Any]) -> None:
+    """The parameters of a fit, which have been checked, as one argument."""
+    of.take("parameters", np.stack(np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in values)), axis=-1), 1)
+
+
+def _take_law(of: Batch, conductivity: Any, critical: Any, criterion: Any, exponent: Any) -> None:
+    """The numbers of the law as one argument, after checking them."""
+    given = Batch()
+    powers = given.array("exponent", exponent)
+    checks.refuse("exponent", powers, powers < 1, 0, "must be 1 or more, not {value:g}")
+    values = [
+        given.positive("conductivity", conductivity),
+        given.not_negative("critical", critical),
+        given.positive("criterion", criterion),
+        powers,
+    ]
+    of.take("the law", np.stack(np.broadcast_arrays(*values), axis=-1), 1)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
-from . import batch, checks
-from .area_laws import AreaLaws, area_laws
+from . import checks
+from .area_laws import area_laws
+from .batch import Batch, Floats
 from .wire_pair import Numbers
-
-Floats = NDArray[np.float64]
 
 # The constants of the kernels
 _ACTIVE = 0
@@ -159,27 +159,22 @@ def node_to_segment_em(
     >>> print(f"{contact.pressure:.3g} Pa, {contact.current:.4g} A")
     1e+08 Pa, 82.5 A
     """
-    nodes = np.asarray(x_bar, dtype=float)
-    n = len(nodes) if nodes.ndim == 3 else None
-    laws = area_laws(normal_law, spot_law, data)
-    areas = batch.positive("area", area, (), n)
-    k, r, numbers, normal, info = _core.f2py_surface.node_to_segment(
-        batch.points("x_bar", x_bar, (2, 2), n).T,
-        batch.points("x", x, (2,), n).T,
-        batch.points("v_bar", v_bar, (2,), n).T,
-        batch.points("v", v, (), n),
-        areas,
-        batch.not_negative("reach", reach, n, (2,)).T,
-        *laws,
-        _augmentation(augmentation, laws, n),
+    of = Batch()
+    of.array("x_bar", x_bar, (2, 2))
+    of.array("x", x, (2,))
+    of.array("v_bar", v_bar, (2,))
+    of.array("v", v)
+    areas = of.positive("area", area)
+    of.not_negative("reach", reach, (2,))
+    k, r, numbers, normal, info = _call(
+        [(9, 9), (9,), (6,), (2,), ()], _core.f2py_surface.node_to_segment, of, normal_law, spot_law, data, augmentation
     )
-    _raise_failures(info, n)
     xi_bar, gap, pressure, per_area, current, voltage_gap = numbers
-    active = info == _ACTIVE
+    areas = np.broadcast_to(areas, of.shape).ravel()
     fields: list[NDArray[Any]] = [
-        np.moveaxis(k, -1, 0), r.T, active, xi_bar, gap, normal.T, pressure, areas * per_area, current, voltage_gap,
+        k, r, info == _ACTIVE, xi_bar, gap, normal, pressure, areas * per_area, current, voltage_gap,
     ]  # fmt: skip
-    return NodeToSegment(*_one_or_many(fields, n))
+    return NodeToSegment(*map(of.result, fields))
 
 
 def segment_to_segment_em(
@@ -233,41 +228,51 @@ def segment_to_segment_em(
     ``fortran/kernels/segment_to_segment.f90``. In corners of the master the pieces overlap, or leave a gap, of the order
     of the angle times the gap.
     """
-    nodes = np.asarray(x_bar, dtype=float)
-    n = len(nodes) if nodes.ndim == 3 else None
-    laws = area_laws(normal_law, spot_law, data)
-    widths = checks.pair("width", width) if np.ndim(width) == 0 else width
-    k, r, numbers, normal, info = _core.f2py_surface.segment_to_segment(
-        batch.points("x_bar", x_bar, (2, 2), n).T,
-        batch.points("x", x, (2, 2), n).T,
-        batch.points("v_bar", v_bar, (2,), n).T,
-        batch.points("v", v, (2,), n).T,
-        batch.positive("length", length, (), n),
-        batch.not_negative("width", widths, n, (2,)).T,
-        *laws,
-        _augmentation(augmentation, laws, n),
+    of = Batch()
+    of.array("x_bar", x_bar, (2, 2))
+    of.array("x", x, (2, 2))
+    of.array("v_bar", v_bar, (2,))
+    of.array("v", v, (2,))
+    of.positive("length", length)
+    widths = of.pair("width", width)
+    checks.refuse("width", widths, widths < 0, 1, "must not be negative, but holds {value:g}")
+    k, r, numbers, normal, info = _call(
+        [(12, 12), (12,), (8, 2), (2,), ()],
+        _core.f2py_surface.segment_to_segment,
+        of,
+        normal_law,
+        spot_law,
+        data,
+        augmentation,
     )
-    _raise_failures(info, n)
-    xi_bar, xi, gap, area, pressure, per_area, current, voltage_gap = np.moveaxis(numbers, 2, 1)
+    xi_bar, xi, gap, area, pressure, per_area, current, voltage_gap = numbers
     fields: list[NDArray[Any]] = [
-        np.moveaxis(k, -1, 0), r.T, info == _ACTIVE, xi_bar, xi, gap, normal.T, area, pressure,
-        (area * per_area).sum(axis=1), current.sum(axis=1), voltage_gap,
+        k, r, info == _ACTIVE, xi_bar, xi, gap, normal, area, pressure, (area * per_area).sum(axis=0),
+        current.sum(axis=0), voltage_gap,
     ]  # fmt: skip
-    return SegmentToSegment(*_one_or_many(fields, n))
+    return SegmentToSegment(*map(of.result, fields))
 
 
-def _augmentation(value: Numbers, laws: AreaLaws, n: int | None) -> Floats:
-    result = batch.points("augmentation", value, (), n)
-    if not laws.can_be_augmented and result.any():
+def _call(
+    shapes: list[tuple[int, ...]],
+    kernel: Callable[..., Any],
+    of: Batch,
+    normal_law: str,
+    spot_law: str,
+    data: dict[str, ArrayLike],
+    augmentation: Numbers,
+) -> tuple[NDArray[Any], ...]:
+    """Take the laws, call the kernel, raise what it could not do."""
+    laws = area_laws(normal_law, spot_law, data)
+    pressed = of.array("augmentation", augmentation)
+    if not laws.can_be_augmented and pressed.any():
         raise ValueError('augmentation belongs to normal_law="linear"')
+    of.share("data of the pressure law", laws.normal_data, 1)
+    of.share("data of the conductance law", laws.spot_data, 1)
+    of.share("young, poisson and resistivity", laws.bodies, 2)
+    normal_data, spot_data, bodies = of.shared_columns()
+    result: tuple[NDArray[Any], ...] = of.call(
+        shapes, kernel, *of.columns(), laws.normal, normal_data, laws.spot, spot_data, bodies
+    )
+    of.raise_failures(result[-1], _FAILURES, "pair")
     return result
-
-
-def _raise_failures(info: NDArray[np.int32], n: int | None) -> None:
-    for failure, words in _FAILURES.items():
-        batch.check(info != failure, n, words)
-
-
-def _one_or_many(fields: list[NDArray[Any]], n: int | None) -> list[Any]:
-    """The results of one pair without the leading axis, numbers as numbers."""
-    return fields if n is not None else [f[0] if f.ndim > 1 else f[0].item() for f in fields]

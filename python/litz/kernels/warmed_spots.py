@@ -6,47 +6,50 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from .. import _core
 from . import checks
-from .heat import not_negative, table
+from .batch import Batch, Floats
+from .heat import share_table, take_film
+from .wire_pair import Numbers
 
 
 class HotSpot(NamedTuple):
     """A contact spot that its current warms, so that it resists more."""
 
     #: From wire 1 to wire 2 [A]
-    current: float
+    current: float | Floats
     #: To the bulk of wire 1 and of wire 2 (2,) [W]
-    heat: NDArray[np.float64]
+    heat: Floats
     #: Highest temperatures in the constriction of either wire (2,) [K]
-    hottest: NDArray[np.float64]
+    hottest: Floats
     #: Derivatives of the current by the voltage and the two temperatures (3,) [S, A/K]
-    dcurrent: NDArray[np.float64]
+    dcurrent: Floats
     #: The same of `heat` (2, 3) [A, W/K]
-    dheat: NDArray[np.float64]
+    dheat: Floats
     #: The same of `hottest` (2, 3) [K/V, 1]
-    dhottest: NDArray[np.float64]
+    dhottest: Floats
 
 
 def hot_spot(
-    voltage: float,
+    voltage: Numbers,
     temperature: ArrayLike,
     *,
-    shape: float,
+    shape: Numbers,
     resistivity: ArrayLike | Sequence[ArrayLike],
     conductivity: ArrayLike | Sequence[ArrayLike] | None = None,
-    lorenz: float | None = None,
-    film_resistance: float = 0.0,
-    film_heat_conductance: float | None = None,
+    lorenz: Numbers | None = None,
+    film_resistance: Numbers = 0.0,
+    film_heat_conductance: Numbers | None = None,
 ) -> HotSpot:
     """Current through a contact spot that is warmed by it, with all properties over the temperature.
 
     Parameters
     ----------
     voltage : float
-        Between the bulks of the wires, of either sign [V].
+        Between the bulks of the wires, of either sign [V]. All arguments that hold numbers may have leading axes, see
+        `litz.kernels`.
     temperature : array_like, shape (2,)
         Of the bulks of wire 1 and wire 2 [K]; from absolute zero with `lorenz`.
     shape : float
@@ -90,36 +93,32 @@ def hot_spot(
     >>> print(f"{hot.hottest[0] - 293:.0f} K warmer, {100 * (ratio - 1):.0f} % more resistance")
     141 K warmer, 36 % more resistance
     """
-    rho = _pair_of_tables("resistivity", resistivity)
     if (conductivity is None) == (lorenz is None):
         raise ValueError("conductivity or lorenz is needed, and not both")
-    bulk = checks.array("temperature", temperature, (2,))
-    if lorenz is not None and not (bulk > 0).all():
-        raise ValueError(f"temperature must be greater than 0 K, but holds {bulk.min():g}")
-    lam = _pair_of_tables("conductivity", 1.0 if conductivity is None else conductivity)
-    film = 0.0 if film_heat_conductance is None else 1 / checks.positive("film_heat_conductance", film_heat_conductance)
-    current, heat, hottest, dcurrent, dheat, dhottest, info = _core.f2py_heat.hot_spot(
-        checks.number("voltage", voltage),
-        bulk,
-        checks.positive("shape", shape),
-        rho[0],
-        rho[1],
-        lam[0],
-        lam[1],
-        int(lorenz is not None),
-        0.0 if lorenz is None else checks.positive("lorenz", lorenz),
-        not_negative("film_resistance", film_resistance),
-        film,
-    )
-    if info != 0:
-        raise ValueError("these numbers give no steady current and temperatures of a spot")
-    return HotSpot(float(current), heat, hottest, dcurrent, dheat, dhottest)
+    of = Batch()
+    of.array("voltage", voltage)
+    bulk = of.array("temperature", temperature, (2,))
+    if lorenz is not None:
+        checks.refuse("temperature", bulk, bulk <= 0, 1, "must be greater than 0 K, but holds {value:g}")
+    of.positive("shape", shape)
+    of.take("lorenz", np.zeros(()) if lorenz is None else checks.all_positive("lorenz", lorenz), 0)
+    of.not_negative("film_resistance", film_resistance)
+    take_film(of, film_heat_conductance)
+    _share_pair_of_tables(of, "resistivity", resistivity)
+    _share_pair_of_tables(of, "conductivity", 1.0 if conductivity is None else conductivity)
+    *found, info = of.call(
+        [(), (2,), (2,), (3,), (2, 3), (2, 3), ()], _core.f2py_heat.hot_spot,
+        *of.columns(), *of.shared_columns(), int(lorenz is not None),
+    )  # fmt: skip
+    if (info != 0).any():
+        raise ValueError(
+            of.named(info != 0, "spot") + "these numbers give no steady current and temperatures of a spot"
+        )
+    return HotSpot(*map(of.result, found))
 
 
-def _pair_of_tables(
-    name: str, value: ArrayLike | Sequence[ArrayLike]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """A property over temperature of two wires: one for both, or one for each."""
+def _share_pair_of_tables(of: Batch, name: str, value: ArrayLike | Sequence[ArrayLike]) -> None:
+    """Take a property over temperature of two wires: one for both, or one for each."""
     is_pair = isinstance(value, list | tuple) and len(value) == 2 and np.ndim(value[0]) != 1
-    first, second = value if is_pair else (value, value)  # type: ignore[misc]
-    return table(name, first), table(name, second)  # type: ignore[arg-type]
+    for one in value if is_pair else (value, value):  # type: ignore[union-attr]
+        share_table(of, name, one)  # type: ignore[arg-type]

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from . import checks
-from .wire_pair import Numbers, properties
+from .batch import Batch
+from .wire_pair import Numbers, take_properties
 
 Floats = NDArray[np.float64]
 
@@ -52,9 +53,9 @@ def normal_law(
     radius: Numbers,
     young: Numbers,
     poisson: Numbers,
-    angle: float,
+    angle: Numbers,
     yield_stress: Numbers | None = None,
-    hardness: float | None = None,
+    hardness: Numbers | None = None,
     largest_force: Numbers = 0.0,
 ) -> NormalForce:
     """Force, stiffness and spot of two crossed round wires at an overlap, elastic or of metal that yields.
@@ -62,7 +63,7 @@ def normal_law(
     Parameters
     ----------
     overlap : float or array_like
-        Overlap of the undeformed surfaces [m]; negative: a gap.
+        Overlap of the undeformed surfaces [m]; negative: a gap. All arguments may have leading axes, see `litz.kernels`.
     radius, young, poisson : float or array_like, shape (2,)
         Radii [m], Young's moduli [Pa] and Poisson's ratios [-] of the barred and the unbarred wire; one number serves
         both.
@@ -108,78 +109,100 @@ def normal_law(
     >>> print(f"{pressed.force:.3f} N, then {back.force:.3f} N; dent {back.dent * 1e6:.3f} um")
     1.445 N, then 1.089 N; dent 0.456 um
     """
-    of_wires = properties(radius, young, poisson, 1.0)[:3]
-    overlaps, largest = np.broadcast_arrays(np.asarray(overlap, dtype=float), np.asarray(largest_force, dtype=float))
-    checks.array("overlap", overlaps, overlaps.shape)
-    if (checks.array("largest_force", largest, largest.shape) < 0).any():
-        raise ValueError(f"largest_force must not be negative, but holds {largest.min():g}")
-    stresses, hardness_value = yield_data(yield_stress, hardness)
-    if yield_stress is None and (largest > 0).any():
+    of = Batch()
+    of.array("overlap", overlap)
+    of.not_negative("largest_force", largest_force)
+    if yield_stress is None and np.any(np.asarray(largest_force) > 0):
         raise ValueError("largest_force needs yield_stress: elastic wires remember none")
-    values, onset, info = _core.f2py_yielding.normal_law_of_points(
-        overlaps.ravel(), 0, largest.ravel(), *of_wires, crossing_angle(angle), stresses, hardness_value
+    crossing = Batch()
+    radii = take_properties(crossing, radius, young, poisson)
+    take_crossing_angle(crossing, angle)
+    take_yielding(crossing, yield_stress, hardness)
+    for name, value, own in crossing.taken():
+        of.share(name, value, own)
+    overlaps, largest = of.columns()
+    values, onset, info = of.call(
+        [(19,), (5,), ()], _core.f2py_yielding.normal_law_of_points, overlaps, 0, largest, *of.shared_columns()
     )
-    refuse(info, hardness_value, stresses, onset[0], angle)
+    refuse(of, info, onset[0])
     _, force, stiffness, _, by_angle, by_largest, major, minor, disc, dent, energy, dissipation, *_ = values
-    shape = overlaps.shape
     if yield_stress is not None:
-        refuse_wide(np.sqrt(major * minor), of_wires[0])
+        refuse_wide(of, np.sqrt(major * minor), radii)
     of_points = (force, stiffness, by_angle, by_largest, major, minor, disc, dent)
-    found = [*of_points, np.maximum(force, largest.ravel()), energy, dissipation]
-    return NormalForce(*(float(each[0]) if shape == () else each.reshape(shape) for each in found))
+    return NormalForce(*of.results(np.array([*of_points, np.maximum(force, largest), energy, dissipation])))
 
 
-def crossing_angle(angle: float) -> float:
-    """Return the angle between two axes that are not parallel."""
-    value = checks.number("angle", angle)
-    if not 0 < value < np.pi:
-        raise ValueError(f"angle must be between 0 and pi, not {value:g} rad; parallel wires have no point contact")
-    return value
+def take_crossing_angle(of: Batch, angle: Numbers) -> None:
+    """Take the angle between two axes that are not parallel."""
+    value = of.array("angle", angle)
+    checks.refuse(
+        "angle",
+        value,
+        (value <= 0) | (value >= np.pi),
+        0,
+        "must be between 0 and pi, not {value:g} rad; parallel wires have no point contact",
+    )
 
 
-def yield_data(yield_stress: Numbers | None, hardness: float | None) -> tuple[Floats, float]:
-    """Yield stresses, 0 of elastic wires, and hardness, 0 where it follows from them."""
+def take_yielding(of: Batch, yield_stress: Numbers | None, hardness: Numbers | None) -> None:
+    """Take yield stresses, 0 of elastic wires, and hardness, 0 where it follows from them."""
     if yield_stress is None:
         if hardness is not None:
             raise ValueError("hardness needs yield_stress")
-        return np.zeros(2), 0.0
-    return checks.positive_pair("yield_stress", yield_stress), (
-        0.0 if hardness is None else checks.positive("hardness", hardness)
-    )
+        of.pair("yield_stress", 0.0)
+    else:
+        of.positive_pair("yield_stress", yield_stress)
+    if hardness is None:
+        of.array("hardness", 0.0)
+    else:
+        of.positive("hardness", hardness)
 
 
-def single_yield_data(yield_stress: float | None, hardness: float | None, largest_force: float) -> tuple[float, ...]:
-    """Yield stress, 0 of elastic wires, hardness, 0 where it follows from it, and largest force of a law of runs."""
-    largest = checks.number("largest_force", largest_force)
-    if largest < 0:
-        raise ValueError(f"largest_force must not be negative, but is {largest:g}")
+def single_yield_data(yield_stress: Numbers | None, hardness: Numbers | None, largest_force: Numbers) -> Floats:
+    """Yield stress, 0 of elastic wires, and hardness, 0 where it follows from it, of a law of runs: shape (..., 2)."""
     if yield_stress is None:
-        if largest > 0:
+        if np.any(np.asarray(largest_force) > 0):
             raise ValueError("largest_force needs yield_stress: elastic wires remember none")
-        return 0.0, 0.0, 0.0
-    return (
-        checks.positive("yield_stress", yield_stress),
-        0.0 if hardness is None else checks.positive("hardness", hardness),
-        largest,
+        return np.zeros(2)
+    stress = checks.all_positive("yield_stress", yield_stress)
+    return np.stack(
+        np.broadcast_arrays(stress, 0.0 if hardness is None else checks.all_positive("hardness", hardness)), axis=-1
     )
 
 
-def refuse(info: int, hardness: float, stresses: Floats, yield_pressure: float, angle: float) -> None:
-    """Raise what `info` of the law says."""
-    if info == _TOO_SOFT:
+def refuse(of: Batch, info: NDArray[np.int32], yield_pressure: ArrayLike = 0.0) -> None:
+    """Raise what `info` of the law says of the first contact that it cannot be asked about."""
+    if not info.any():
+        return
+    bad = int(np.argmax(info != 0))
+    # what all contacts share is looked at once
+    shape = of.shape if info.size == of.n else ()
+    place = np.unravel_index(bad, shape) if shape else ()
+    given = {
+        name: np.broadcast_to(value, shape + value.shape[value.ndim - own :])
+        for name, value, own in of.taken()
+        if value.ndim - own <= len(shape)
+    }
+    at = of.named(info != 0, "contact") if shape else ""
+    if info[bad] == _TOO_SOFT:
         raise ValueError(
-            f"hardness must be greater than the pressure at which wires with a yield stress of {stresses.min():g} Pa "
-            f"begin to yield at this angle, {yield_pressure:g} Pa, not {hardness:g} Pa"
+            f"{at}hardness must be greater than the pressure at which wires with a yield "
+            f"stress of {given['yield_stress'][place].min():g} Pa begin to yield at this angle, "
+            f"{np.ravel(yield_pressure)[bad]:g} Pa, not {given['hardness'][place]:g} Pa"
         )
-    if info != 0:
-        raise ValueError(f"angle is so close to parallel that the spot is infinitely long: {angle:g} rad")
+    raise ValueError(
+        f"{at}angle is so close to parallel that the spot is infinitely long: {given['angle'][place]:g} rad"
+    )
 
 
-def refuse_wide(spot_radius: ArrayLike, radius: Floats) -> None:
+def refuse_wide(of: Batch, spot_radius: Floats, radii: Floats) -> None:
     """Raise a ValueError where a spot, a circle of this radius, is so large that the wires would be compacted."""
-    widest = float(np.max(spot_radius, initial=0.0))
-    if widest > WIDEST_SPOT * radius.min():
+    smaller = np.broadcast_to(radii.min(axis=-1), of.shape).ravel()
+    too_wide = spot_radius > WIDEST_SPOT * smaller
+    if too_wide.any():
+        widest = int(np.argmax(too_wide))
         raise ValueError(
-            f"the spot has the area of a circle of {widest:g} m, more than half of the smaller radius, {radius.min():g} m: "
-            "the wires would be compacted, for which the law does not hold"
+            f"{of.named(too_wide, 'contact')}the spot has the area of a circle of {spot_radius[widest]:g} m, more than "
+            f"half of the smaller radius, {smaller[widest]:g} m: the wires would be compacted, for which the law does not "
+            "hold"
         )

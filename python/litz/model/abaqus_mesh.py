@@ -1,4 +1,4 @@
-"""Meshes in decks of Abaqus."""
+"""Meshes in decks of Abaqus and CalculiX."""
 
 import itertools
 import warnings
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..deck import Card, Deck
 from ..errors import FileError
-from .materials import Circular, Material
+from .materials import Circular, General, Material, Section
 from .mesh import Mesh, element_types, unique_rows
 
 #: Elements of Abaqus that litz has under another name; the number of nodes along the beam
@@ -20,17 +20,19 @@ _BEAMS = {
     "B32": ("B31", 3),
     "B32H": ("B31", 3),
 }
+#: Whose decks are read
+DIALECTS = ("abaqus", "ccx")
 #: Trusses, as which gmsh writes its lines: wires in a deck that has no beams
 _TRUSSES = {"T3D2": 2, "T3D3": 3}
 #: Number of a node or element in a deck, behind the name of the instance of a part that has it, in capitals
 _Key = tuple[str, int]
 
 
-def _cards(deck: Deck) -> Iterator[Card]:
+def deck_cards(deck: Deck) -> Iterator[Card]:
     """The cards of a deck and of those that it includes."""
     for card in deck:
         if card.is_a("INCLUDE"):
-            yield from _cards(deck.included(card))
+            yield from deck_cards(deck.included(card))
         else:
             yield card
 
@@ -38,8 +40,9 @@ def _cards(deck: Deck) -> Iterator[Card]:
 class _DeckReader:
     """Collects the mesh of a deck, card by card."""
 
-    def __init__(self, path: Path):
+    def __init__(self, path: Path, dialect: str | None):
         self.path = path
+        self.dialect = dialect
         self.row_of: dict[_Key, int] = {}
         self.places: list[list[float]] = []
         #: Nodes of the elements of litz, and their types; None: a truss
@@ -106,7 +109,7 @@ class _DeckReader:
             mesh.node_sets[name] = unique_rows(self.row_of[node] for node in nodes if node in self.row_of)
         for name, elements in self.element_sets.items():
             mesh.element_sets[name] = unique_rows(row for element in elements for row in self.elements.get(element, ()))
-        sections = list(_sections_of(self.sections, self.materials, self.path))
+        sections = list(_sections_of(self))
         mesh.sections = [(_spelt(name, mesh.element_sets), *properties) for name, *properties in sections]
         return mesh
 
@@ -224,28 +227,95 @@ def _rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray
     return a + np.cos(angle) * (arms - along) + np.sin(angle) * np.cross(axis, arms) + along
 
 
-def read_deck(path: Path) -> Mesh:
-    """The beams, sets and sections of a deck."""
-    reader = _DeckReader(path)
-    for card in _cards(Deck.read(path)):
+def read_deck(path: Path, dialect: str | None = None) -> Mesh:
+    """The beams, sets and sections of a deck; `dialect` is one of `DIALECTS`, needed where it has round sections."""
+    return _reader_of(path, dialect).mesh()
+
+
+def read_numbered_deck(path: Path, dialect: str) -> tuple[Mesh, NDArray[np.int64], NDArray[np.int64]]:
+    """The same, with the numbers of the nodes and of the elements in the deck."""
+    reader = _reader_of(path, dialect)
+    mesh = reader.mesh()
+    elements = {row: number for (_, number), rows in reader.elements.items() for row in rows}
+    nodes = [number for _, number in reader.row_of]
+    if len(set(nodes)) < len(nodes) or len(set(elements.values())) < len(mesh.connectivity):
+        raise FileError(f"{path}: a number stands for several nodes or elements: litz numbers instances of parts alike")
+    return (
+        mesh,
+        np.array(nodes, dtype=np.int64),
+        np.array([elements[row] for row in range(len(elements))], dtype=np.int64),
+    )
+
+
+def _reader_of(path: Path, dialect: str | None) -> _DeckReader:
+    if dialect not in (None, *DIALECTS):
+        raise ValueError(f"dialect must be {' or '.join(map(repr, DIALECTS))}, not {dialect!r}")
+    reader = _DeckReader(path, dialect)
+    for card in deck_cards(Deck.read(path)):
         if card.is_a("STEP"):
             break
         reader.read(card)
-    return reader.mesh()
+    return reader
 
 
-def _sections_of(cards: list[tuple[str, Card]], materials: dict[str, list[float]], path: Path) -> Iterator[tuple]:
+def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
     """Round sections whose material is there."""
-    for prefix, card in cards:
+    for prefix, card in reader.sections:
         shape, name = str(card.get("SECTION", "")).upper(), str(card.get("MATERIAL", ""))
-        values = materials.get(_spelt(name, materials), [])
+        values = reader.materials.get(_spelt(name, reader.materials), [])
         if shape != "CIRC" or len(values) not in (2, 3):
             warnings.warn(
-                f"{path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic material",
+                f"{reader.path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic"
+                " material",
                 stacklevel=6,
             )
             continue
-        yield f"{prefix}{card['ELSET']}", Circular(float(card[0, 0])), _material(name, *values)
+        material = _material(name, *values)
+        yield f"{prefix}{card['ELSET']}", _round_section(reader, card, material), material
+
+
+def _round_section(reader: _DeckReader, card: Card, material: Material) -> Section:
+    """What `SECTION=CIRC` means: the radius in Abaqus; the diameters of an ellipse along the section axes in CalculiX."""
+    where = f"{reader.path}: *BEAM SECTION, ELSET={card.get('ELSET')}, SECTION=CIRC"
+    if reader.dialect is None:
+        raise ValueError(
+            f"{where} is the radius in Abaqus, but the diameter in CalculiX: which of them is meant must be told by"
+            " --dialect abaqus or --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
+        )
+    offsets = [name for name in ("OFFSET1", "OFFSET2") if float(card.get(name, 0))]
+    if offsets:
+        raise ValueError(f"{where} has {' and '.join(offsets)}: the axes of wires pass through their nodes")
+    values = [value for value in (card.data or [[]])[0] if value is not None]
+    if len(values) not in (1, 2)[: 1 + (reader.dialect == "ccx")]:
+        takes = "the radius" if reader.dialect == "abaqus" else "one diameter, or two"
+        raise ValueError(
+            f"{where} has {len(values)} values on its first line; in the dialect {reader.dialect} it is {takes}"
+        )
+    if reader.dialect == "abaqus":
+        return Circular(float(values[0]))
+    first, last = float(values[0]), float(values[-1])
+    if first == last:
+        return Circular(first / 2)
+    n1 = [float(value or 0) for value in [*card.data[1], 0, 0, 0][:3]] if len(card.data) > 1 else [0.0, 0.0, -1.0]
+    return _ellipse(first / 2, last / 2, (n1[0], n1[1], n1[2]), material)
+
+
+def _ellipse(a: float, b: float, n1: tuple[float, float, float], material: Material) -> General:
+    """A solid ellipse of semi-axes `a` along the first axis and `b` along the second.
+
+    Second moments and torsion constant: Timoshenko and Goodier, Theory of Elasticity, 3rd edition, section 105. Shear
+    factors: Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33 (1966), 335-340.
+    """
+    area, nu = np.pi * a * b, material.poisson
+    torsion = np.pi * (a * b) ** 3 / (a**2 + b**2)
+
+    def shear(along: float, across: float) -> float:
+        """Shear stiffness for shear along the semi-axis `along`."""
+        m = (along / across) ** 2
+        factor = 12 * (1 + nu) * m * (3 * m + 1) / ((40 + 37 * nu) * m**2 + (16 + 10 * nu) * m + nu)
+        return factor * area * material.young / (2 * (1 + nu))
+
+    return General(area, area * b**2 / 4, area * a**2 / 4, torsion, n1=n1, shear=(shear(a, b), shear(b, a)))
 
 
 def _material(name: str, young: float, poisson: float, conductivity: float | None = None) -> Material:

@@ -11,7 +11,7 @@ from .meshio_mesh import read_by_meshio
 _DECK_ENDINGS = (".inp",)
 
 
-def read_mesh(path: str | os.PathLike[str]) -> Mesh:
+def read_mesh(path: str | os.PathLike[str], *, dialect: str | None = None) -> Mesh:
     """Read line elements, node sets and element sets.
 
     Parameters
@@ -21,6 +21,9 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
         gmsh writes lines; instances of parts stand at their places, and their sets are named "instance.set". Or a file that
         meshio reads, such as one of gmsh (.msh): its lines are elements, its physical groups and cell sets are sets. Needs
         meshio.
+    dialect : {"abaqus", "ccx"}, optional
+        Whose deck it is, where it has a `*BEAM SECTION, SECTION=CIRC`: its value is the radius in Abaqus and in litz, but the
+        diameter in CalculiX, where two are those of an ellipse.
 
     Returns
     -------
@@ -30,7 +33,7 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     path = Path(path)
     if not path.is_file():
         raise FileError(f"there is no file {path}")
-    mesh = read_deck(path) if path.suffix.lower() in _DECK_ENDINGS else read_by_meshio(path)
+    mesh = read_deck(path, dialect) if path.suffix.lower() in _DECK_ENDINGS else read_by_meshio(path)
     if not len(mesh.connectivity):
         raise FileError(f"{path} has no line elements")
     return without_spare_nodes(mesh)

@@ -15,9 +15,10 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
+from .ledger_columns import LedgerColumns
 from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
-from .text_tables import read_aligned, read_csv
+from .text_tables import read_aligned, read_csv, read_last_column, read_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -239,7 +240,7 @@ class ResultFile:
     @cached_property
     def unit_labels(self) -> dict[str, str]:
         """What the units of the deck are called (`*UNITS`), by their SI symbols: m, N, s, A, V, N m, W, ohm, J."""
-        fields, ledger = self.units, self.contacts.units
+        fields, ledger = self.units, self.contact_units
         return {
             "m": fields["displacement"],
             "N": fields["reaction_force"],
@@ -260,10 +261,10 @@ class ResultFile:
         >>> results.unit("displacement"), results.unit("resistance")    # doctest: +SKIP
         ('m', 'ohm')
         """
-        for units in (self.units, self.contacts.units, self.history.units):
+        for units in (self.units, self.contact_units, self.history.units):
             if name in units:
                 return units[name] or "1"
-        known = [*self.units, *self.contacts.units, *self.history.units]
+        known = [*self.units, *self.contact_units, *self.history.units]
         raise KeyError(unknown_name("field or column", name, known))
 
     @cached_property
@@ -337,7 +338,12 @@ class ResultFile:
     @property
     def contacts(self) -> Table:
         """The contact ledger: a row for each contact at each increment."""
-        return self._whole(self._table("_contacts.csv", read_csv))
+        return self._whole(self._table("_contacts.csv", self._ledger))
+
+    @cached_property
+    def contact_units(self) -> dict[str, str]:
+        """Unit of each column of the contact ledger, without reading its rows."""
+        return read_units(self._beside("_contacts.csv")[0])
 
     @property
     def surface_contacts(self) -> Table:
@@ -416,14 +422,28 @@ class ResultFile:
 
     def _table(self, ending: str, read: Callable[[Path], Table]) -> Table:
         """A table beside the result file; read again when it has grown, as during a run."""
-        path = self.path.with_name(self.path.stem + ending)
-        try:
-            size = path.stat().st_size
-        except OSError as error:
-            raise FileError(f"cannot read {path}: {error.strerror}") from None
+        path, size = self._beside(ending)
         if self._tables.get(ending, (None, None))[0] != size:
             self._tables[ending] = (size, read(path))
         return self._tables[ending][1]
+
+    def _ledger(self, path: Path) -> Table:
+        """The contact ledger, from the file of contacts where that has all of it."""
+        units = read_units(path)
+        numbers = {"step": self.steps, "increment": self.increments, "time": self.times}
+        try:
+            columns = LedgerColumns(path.with_suffix(".vtkhdf"), list(units), numbers, lambda: read_last_column(path))
+        except (OSError, KeyError):
+            return read_csv(path)
+        return Table(columns, units)
+
+    def _beside(self, ending: str) -> tuple[Path, int]:
+        """A file beside the result file, and its size."""
+        path = self.path.with_name(self.path.stem + ending)
+        try:
+            return path, path.stat().st_size
+        except OSError as error:
+            raise FileError(f"cannot read {path}: {error.strerror}") from None
 
     def to_pandas(self, table: str = "history") -> "pd.DataFrame":
         """A table as a data frame of pandas; needs pandas.

@@ -1,10 +1,9 @@
 """The text tables of a run (.csv, .sta, .cvg) as tables."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from pathlib import Path
-from typing import TextIO
 
 import numpy as np
 
@@ -60,22 +59,46 @@ def read_aligned(path: Path) -> Table:
     return _read(path, None)
 
 
-def _read(path: Path, separator: str | None) -> Table:
+def read_units(path: Path) -> dict[str, str]:
+    """Unit of each column of a table with commas, "" where it has none; its rows are not read."""
+    try:
+        with path.open(encoding="utf-8", errors="replace") as file:
+            return _table_of(path, [file.readline()], ",").units
+    except OSError as error:
+        raise FileError(f"cannot read {path}: {error.strerror}") from None
+
+
+def read_last_column(path: Path) -> np.ndarray:
+    """The last column of a table with commas, as text (n_rows)."""
     try:
         with path.open(encoding="utf-8", errors="replace") as file:
             lines = _whole_lines(file)
-            head = next(lines, None)
-            if head is None:
-                raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
-            heads = [_name_and_unit(word) for word in head.split(separator)]
-            names = [name for name, _ in heads]
-            n_numbers = sum(name not in _TEXT_COLUMNS for name in names)
-            # the text of a large table is not kept as a whole
-            parts = [_columns(rows, separator, names, n_numbers) for rows in _batches(lines)]
+            next(lines, None)
+            return np.array([line.rpartition(",")[2].strip() for line in lines], dtype=str)
+    except OSError as error:
+        raise FileError(f"cannot read {path}: {error.strerror}") from None
+
+
+def _read(path: Path, separator: str | None) -> Table:
+    try:
+        with path.open(encoding="utf-8", errors="replace") as file:
+            return _table_of(path, file, separator)
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
     except ValueError as error:
         raise FileError(f"{path} is not a table written by litz: {error}") from None
+
+
+def _table_of(path: Path, text: Iterable[str], separator: str | None) -> Table:
+    lines = _whole_lines(text)
+    head = next(lines, None)
+    if head is None:
+        raise FileError(f"{path} is empty: the run that wrote it ended before its first line")
+    heads = [_name_and_unit(word) for word in head.split(separator)]
+    names = [name for name, _ in heads]
+    n_numbers = sum(name not in _TEXT_COLUMNS for name in names)
+    # the text of a large table is not kept as a whole
+    parts = [_columns(rows, separator, names, n_numbers) for rows in _batches(lines)]
     if "element_bar" in names:
         heads = [(_OLD_NAMES.get(name, name), unit) for name, unit in heads]
     columns = {name: np.concatenate(values) for (name, _), values in zip(heads, zip(*parts, strict=True), strict=True)}
@@ -83,7 +106,7 @@ def _read(path: Path, separator: str | None) -> Table:
     return Table(columns, dict(heads), old_names)
 
 
-def _whole_lines(file: TextIO) -> Iterator[str]:
+def _whole_lines(file: Iterable[str]) -> Iterator[str]:
     """Lines that are no comments; text after the last line end is one that a running or killed program has not completed."""
     return (line for line in file if line.endswith("\n") and not line.startswith("#"))
 

@@ -82,7 +82,7 @@ class WebData:
                 "colours": {name: _colour_table(mpl.colormaps[name]) for name in _COLOUR_MAPS}
                 | {"zones": _colour_table(line_colours())},
                 "surfaces": [self._surface(patch) for patch in self._patches],
-                "ledger": _described_columns(results.contacts.units),
+                "ledger": _described_columns(results.contact_units),
                 "surface_ledger": _described_columns(results.surface_contacts.units),
                 "largest": self._largest(),
                 "zones": {

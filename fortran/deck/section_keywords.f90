@@ -1,0 +1,87 @@
+!> The keywords of cross-sections.
+module litz_section_keywords
+   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, limit_positive, limit_zero
+   use litz_keyword_builders, only: begin, finish, real_field, choice, name, number
+   implicit none
+   private
+   public :: add_sections
+
+contains
+
+   !> Cross-sections, with the dimensions of Abaqus in its order.
+   pure subroutine add_sections(table)
+      type(keyword_table_t), intent(inout) :: table
+      type(keyword_t) :: k
+      character(len=*), parameter :: shapes = 'CIRC|GENERAL|RECT|BOX|PIPE|I'
+
+      call begin(k, 'BEAM SECTION', place_model, &
+         'Cross-section and material of all elements of a set. Every element has'// &
+         ' exactly one. CIRC: solid round wire. GENERAL: given'// &
+         ' stiffnesses, shear factor 1. RECT, BOX, PIPE and I: litz computes the stiffnesses of the shape'// &
+         ' (torsion by'// &
+         ' the series of St Venant, by Bredt, or summed over thin walls; shear factors of Cowper); a BOX has'// &
+         ' opposite'// &
+         ' walls that are alike, an I two flanges that are alike. Their first axis n1 is (0, 0, -1) without the'// &
+         ' second'// &
+         ' data line.')
+      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(name('MATERIAL', 'their material', required=.true.))
+      call k%add(choice('SECTION', shapes, 'shape of the cross-section', required=.true.))
+      call add_section_data(k)
+      call finish(table, k)
+
+      call begin(k, 'BEAM GENERAL SECTION', place_model, 'As *BEAM SECTION, with the elasticity of a MATERIAL, or'// &
+         ' that'// &
+         ' of its third data line, which the first axis must then precede.')
+      call k%add(name('ELSET', 'the elements', required=.true.))
+      call k%add(name('MATERIAL', 'their material; without it, the third data line has the elasticity'))
+      call k%add(choice('SECTION', shapes, 'shape of the cross-section', default='GENERAL'))
+      call k%add(number('DENSITY', 'mass per volume [kg/m^3], where there is no MATERIAL', limit_positive))
+      call add_section_data(k)
+      call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
+         real_field('G', 'Pa', 'shear modulus', limit_positive)], first=3, required=.false.)
+      k%counts_as = 'BEAM SECTION'
+      call finish(table, k)
+   end subroutine add_sections
+
+   pure subroutine add_section_data(k)
+      type(keyword_t), intent(inout) :: k
+      type(field_spec_t) :: general(5)
+
+      call k%add(number('CONTACT RADIUS', &
+         'radius of the round contact surface [m]; CIRC: the radius when'// &
+         ' left out; other shapes: needed for elements in a contact pair', limit_positive))
+      call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
+         'length used for the resistance of an element (litz extension)', default='REFERENCE LENGTH'))
+      call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
+      general = [real_field('A', 'm^2', 'area', limit_positive), &
+         real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
+         real_field('I12', 'm^4', 'n1 and n2 are principal axes', limit_zero), &
+         real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
+         real_field('J', 'm^4', 'torsion constant', limit_positive)]
+      call k%add_data(general, when='SECTION=GENERAL')
+      call k%add_data([length('a', 'side along n1'), length('b', 'side along n2')], when='SECTION=RECT')
+      call k%add_data([length('a', 'outer side along n1'), length('b', 'outer side along n2'), &
+         length('t1', 'wall on the side of n1'), length('t2', 'wall on the side of n2'), &
+         length('t3', 'wall opposite to t1, as thick'), length('t4', 'wall opposite to t2, as thick')], &
+         when='SECTION=BOX')
+      call k%add_data([length('r', 'outer radius'), length('t', 'thickness of the wall')], when='SECTION=PIPE')
+      call k%add_data([length('l', 'distance of the node from the lower side, h/2'), length('h', 'height along n2'), &
+         length('b1', 'width of the lower flange'), length('b2', 'width of the upper flange, b1'), &
+         length('t1', 'thickness of the lower flange'), length('t2', 'thickness of the upper flange, t1'), &
+         length('t3', 'thickness of the web')], when='SECTION=I')
+      call k%add_data([real_field('n1x', '-', 'direction of the first axis n1; CIRC and GENERAL: chosen by litz'// &
+         ' without'// &
+         ' this line'), real_field('n1y', '-', 'its second component'), real_field('n1z', '-', &
+         'its third component')], first=2, required=.false.)
+   end subroutine add_section_data
+
+   !> A length that is greater than 0.
+   pure type(field_spec_t) function length(name, help)
+      !> Name in the reference and in messages, and what it means
+      character(len=*), intent(in) :: name, help
+
+      length = real_field(name, 'm', help, limit_positive)
+   end function length
+
+end module litz_section_keywords

@@ -1,0 +1,7 @@
+"""Models for other programs, in which the contact element of litz is a user element (`docs/user_element.md`)."""
+
+from .host_model import HostModel, read_host_model
+from .write_abaqus import abaqus_input
+from .write_feap import feap_input
+
+__all__ = ["HostModel", "abaqus_input", "feap_input", "read_host_model"]

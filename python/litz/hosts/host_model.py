@@ -1,0 +1,366 @@
+"""What a deck has for another program: nodes, beams, conductors, pairs of elements that may touch, supports and loads."""
+
+import os
+import warnings
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..deck import Card, Deck
+from ..errors import FileError
+from ..kernels import closest_points, contact_search
+from ..kernels.laws import NORMAL_LAWS, SPOT_FIELDS, SPOT_LAWS
+from ..model.abaqus_mesh import deck_cards, read_numbered_deck
+from ..model.materials import Circular, Material
+from ..model.mesh import Mesh
+from ..runs import check
+
+#: Degree of freedom of the potential in decks
+POTENTIAL = 9
+#: Names of supports, and the degrees of freedom that they hold
+_SUPPORTS = {"ENCASTRE": range(1, 7), "PINNED": range(1, 4)}
+#: Cards that are exported, or that another program does not need
+_KNOWN = frozenset(
+    """
+    *HEADING *NODE *ELEMENT *NSET *ELSET *MATERIAL *ELASTIC *ELECTRICAL CONDUCTIVITY *BEAM SECTION *SURFACE INTERACTION
+    *SURFACE BEHAVIOR *GAP ELECTRICAL CONDUCTANCE *CONTACT PAIR *BOUNDARY *CLOAD *STEP *STATIC *END STEP *INCLUDE *AMPLITUDE
+    *UNITS *NODE PRINT *EL PRINT *ENERGY PRINT *ELECTRODE PRINT *NODE FILE *EL FILE *OUTPUT *NODE OUTPUT *ELEMENT OUTPUT
+    *RESTART *CONTROLS *SOLUTION TECHNIQUE *SOLVER *CONTACT PRINT *CONTACT FILE *PREPRINT *PART *END PART *INSTANCE
+    *END INSTANCE *ASSEMBLY *END ASSEMBLY
+    """.replace(" ", "")
+    .replace("\n", "")
+    .split("*")
+)
+#: Parameters of the cards of a contact that are exported, or that do not change the laws
+_KNOWN_PARAMETERS = {
+    "SURFACE BEHAVIOR": {"PRESSURE-OVERCLOSURE", "PENETRATION"},
+    "GAP ELECTRICAL CONDUCTANCE": {"LAW", "VOLTAGE"},
+    "CONTACT PAIR": {"INTERACTION"},
+}
+#: Powers of the length in numbers of spot laws: hardness, film resistance times area, resistivity times free path
+_POWER_OF_LENGTH = {"H": -2, "sigma_f": 2, "rho_l": 2}
+#: How near to a node a crossing is at it, in half lengths of the element
+_AT_NODE = 1e-6
+#: Elements of one wire that enclose a smaller angle are no candidates: they go on in each other [cosine]
+_PARALLEL = np.cos(np.deg2rad(5.0))
+
+
+@dataclass(frozen=True)
+class Laws:
+    """Laws of a contact, as the options and properties of the user element."""
+
+    #: Numbers of the normal law and of the spot law; 0: no current
+    normal: int
+    spot: int
+    #: Penalty [N/m], 0 of HERTZ
+    penalty: float
+    #: Numbers of the spot law, line after line
+    data: tuple[float, ...] = ()
+    #: 1: the linear voltage within an element is corrected
+    voltage: int = 1
+
+    @property
+    def has_table(self) -> bool:
+        """Whether the numbers are a table."""
+        return self.spot == SPOT_LAWS["table"]
+
+    def in_shorter_unit(self, factor: float) -> "Laws":
+        """The same laws in a unit of length of which `factor` make one of the deck's."""
+        name = next((law for law, number in SPOT_LAWS.items() if number == self.spot), None)
+        fields = [] if name is None or self.has_table else SPOT_FIELDS[name]
+        data = [
+            value * factor ** _POWER_OF_LENGTH.get(field, 0) for value, field in zip(self.data, fields, strict=False)
+        ]
+        return replace(self, penalty=self.penalty / factor, data=self.data if self.has_table else tuple(data))
+
+
+@dataclass
+class HostModel:
+    """A model for another program."""
+
+    heading: str
+    #: Numbers and positions of the nodes
+    node_numbers: NDArray[np.int64]
+    x: NDArray[np.float64]
+    #: Numbers, rows of nodes, types and places in `sections` of the elements
+    element_numbers: NDArray[np.int64]
+    connectivity: NDArray[np.int64]
+    kinds: NDArray[np.str_]
+    section_of: NDArray[np.int64]
+    #: Round sections and their materials
+    sections: list[tuple[Circular, Material]]
+    #: Rows of two elements that may touch, and the place of their laws
+    pairs: NDArray[np.int64]
+    laws_of: NDArray[np.int64]
+    laws: list[Laws]
+    #: By row of a node and degree of freedom of decks: zero all the time, prescribed at the end of the first step, loads
+    supports: set[tuple[int, int]] = field(default_factory=set)
+    prescribed: dict[tuple[int, int], float] = field(default_factory=dict)
+    loads: dict[tuple[int, int], float] = field(default_factory=dict)
+
+    def conducts(self, element: int) -> bool:
+        """Whether the material of an element is a conductor."""
+        return self.sections[self.section_of[element]][1].conductivity is not None
+
+    def contact_kinds(self) -> dict[tuple[int, int, int], list[int]]:
+        """Rows of `pairs` for each combination of both sections and the laws: the contacts of the same properties."""
+        found: dict[tuple[int, int, int], list[int]] = {}
+        for row, (pair, laws) in enumerate(zip(self.pairs, self.laws_of, strict=True)):
+            barred, unbarred = self.section_of[pair]
+            found.setdefault((int(barred), int(unbarred), int(laws)), []).append(row)
+        return found
+
+    def contact_properties(self, kind: tuple[int, int, int]) -> tuple[list[float], list[float]]:
+        """Of one kind: the 8 properties of the wires, barred first, and penalty and numbers of the spot law."""
+        barred, unbarred, place = kind
+        (a, copper_a), (b, copper_b) = self.sections[barred], self.sections[unbarred]
+        laws = self.laws[place]
+        if laws.spot and (copper_a.conductivity is None or copper_b.conductivity is None):
+            names = " and ".join(m.name for m in (copper_a, copper_b) if m.conductivity is None)
+            raise FileError(f"a contact with a spot law needs *ELECTRICAL CONDUCTIVITY of {names}")
+        # without a current the resistivity says nothing
+        rho = [1.0 if m.conductivity is None else 1 / float(m.conductivity) for m in (copper_a, copper_b)]  # type: ignore[arg-type]
+        wires = [a.radius, b.radius, copper_a.young, copper_b.young, copper_a.poisson, copper_b.poisson, *rho]
+        return wires, [laws.penalty, *laws.data]
+
+    def in_shorter_unit(self, factor: float) -> "HostModel":
+        """The same model in a unit of length of which `factor` make one of the deck's; newtons, volts and amperes stay."""
+        sections = [
+            (
+                Circular(section.radius * factor),
+                replace(
+                    material,
+                    young=material.young / factor**2,
+                    conductivity=None if material.conductivity is None else material.conductivity / factor,  # type: ignore[operator]
+                ),
+            )
+            for section, material in self.sections
+        ]
+        return replace(
+            self,
+            x=self.x * factor,
+            sections=sections,
+            laws=[laws.in_shorter_unit(factor) for laws in self.laws],
+            prescribed={key: value * factor if key[1] <= 3 else value for key, value in self.prescribed.items()},
+            loads={key: value * factor if 4 <= key[1] <= 6 else value for key, value in self.loads.items()},
+        )
+
+    def cross_direction(self, elements: Iterable[int]) -> NDArray[np.float64]:
+        """A direction that none of some elements has, for their section axes."""
+        ends = self.x[self.connectivity[list(elements)]]
+        along = ends[:, 1] - ends[:, 0]
+        along /= np.linalg.norm(along, axis=1)[:, None]
+        directions = np.array(
+            [[0, 0, 1], [0, 1, 0], [1, 0, 0], [0.48, 0.6, 0.64], [-0.6, 0.64, 0.48], [0.64, -0.48, 0.6]]
+        )
+        steepest = np.abs(along @ directions.T).max(axis=0)
+        return directions[int(np.argmin(steepest))]
+
+
+def read_host_model(path: str | os.PathLike[str], reach: float | None = None) -> HostModel:
+    """Read a deck, after the program has checked it.
+
+    Parameters
+    ----------
+    path : path
+        Deck of wires with round sections and linear material.
+    reach : float, optional
+        Pairs of elements are candidates where their surfaces come within this distance before loading [m]; default: the
+        largest diameter.
+
+    Returns
+    -------
+    HostModel
+        A card that other programs are not given, such as `*FRICTION`, is a warning.
+    """
+    path = Path(path)
+    check(path)
+    mesh, node_numbers, element_numbers = read_numbered_deck(path, "abaqus")
+    if not len(mesh.connectivity):
+        raise FileError(f"{path} has no beams")
+    sections, section_of = _sections(mesh, path)
+    radius = np.array([sections[place][0].radius for place in section_of])
+    cards = list(deck_cards(Deck.read(path)))
+    _warn_of_what_is_left_out(path, cards)
+    reach = 2 * radius.max() if reach is None else reach
+    near = _that_cross(mesh, contact_search(mesh.x, mesh.connectivity, radius, skin=reach))
+    pairs, laws_of, laws = _candidates(path, cards, mesh.element_sets, near)
+    model = HostModel(
+        heading=_heading(cards, path),
+        node_numbers=node_numbers,
+        x=mesh.x,
+        element_numbers=element_numbers,
+        connectivity=mesh.connectivity,
+        kinds=np.array([kind or "B33" for kind in mesh.kinds]),
+        section_of=section_of,
+        sections=sections,
+        pairs=pairs,
+        laws_of=laws_of,
+        laws=laws,
+    )
+    _read_conditions(model, cards, mesh.node_sets)
+    _warn_of_crossings_at_nodes(path, model)
+    return model
+
+
+def _warn_of_crossings_at_nodes(path: Path, model: HostModel) -> None:
+    """The elements that end there would all count the contact."""
+    x = model.x[model.connectivity[model.pairs]].reshape(-1, 4, 3)
+    if not len(x):
+        return
+    along = x[:, 1::2] - x[:, ::2]
+    length = np.linalg.norm(along, axis=2)
+    tangents = np.repeat(along / length[..., None], 2, axis=1)
+    places = closest_points(x, tangents, length, axis="linear")
+    far = np.maximum(np.abs(places.xi_bar), np.abs(places.xi))
+    at_node = (np.abs(far - 1) < _AT_NODE) & np.isin(places.status, ("inside", "beyond"))
+    if at_node.any():
+        first, second = model.element_numbers[model.pairs[int(np.argmax(at_node))]]
+        warnings.warn(
+            f"{path}: elements {first} and {second} cross at a node ({at_node.sum()} pairs of elements do): all elements that "
+            "end there count the contact in another program; move the nodes",
+            stacklevel=3,
+        )
+
+
+def _heading(cards: list[Card], path: Path) -> str:
+    first = cards[0] if cards else None
+    lines = [line.strip() for line in first.body if line.strip()] if first is not None and first.is_a("HEADING") else []
+    return next((line for line in lines if not line.startswith("**")), path.stem)
+
+
+def _warn_of_what_is_left_out(path: Path, cards: list[Card]) -> None:
+    steps = sum(card.is_a("STEP") for card in cards)
+    names = {f"*{card.name}" for card in cards if card.name.replace(" ", "") not in _KNOWN}
+    for card in cards:
+        spare = set(card.parameters) - _KNOWN_PARAMETERS.get(card.name, set(card.parameters))
+        names |= {f"{name} of *{card.name}" for name in spare}
+    if steps > 1:
+        names.add("all steps behind the first")
+    if names:
+        warnings.warn(f"{path}: not exported: {', '.join(sorted(names))}", stacklevel=3)
+
+
+def _sections(mesh: Mesh, path: Path) -> tuple[list[tuple[Circular, Material]], NDArray[np.int64]]:
+    """Round sections, and the place of that of each element."""
+    section_of = np.full(len(mesh.connectivity), -1, dtype=np.int64)
+    sections: list[tuple[Circular, Material]] = []
+    for name, section, material in mesh.sections:
+        if not isinstance(section, Circular):
+            continue
+        if (section, material) not in sections:
+            sections.append((section, material))
+        section_of[mesh.element_sets[name]] = sections.index((section, material))
+    if (section_of < 0).any():
+        raise FileError(
+            f"{path}: only wires with SECTION=CIRC and an elastic material that is constant can be exported"
+        )
+    return sections, section_of
+
+
+def _that_cross(mesh: Mesh, pairs: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Pairs without those of one wire that go on in each other: the element is that of a crossing."""
+    part = np.arange(len(mesh.x))
+    for _ in range(len(mesh.x)):
+        least = part[mesh.connectivity].min(axis=1)
+        before = part.copy()
+        for end in (0, 1):
+            np.minimum.at(part, mesh.connectivity[:, end], least)
+        part = part[part]
+        if np.array_equal(part, before):
+            break
+    along = mesh.x[mesh.connectivity[:, 1]] - mesh.x[mesh.connectivity[:, 0]]
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    first, second = pairs.T
+    is_one_wire = part[mesh.connectivity[first, 0]] == part[mesh.connectivity[second, 0]]
+    goes_on = np.abs((along[first] * along[second]).sum(axis=1)) > _PARALLEL
+    return pairs[~(is_one_wire & goes_on)]
+
+
+def _candidates(
+    path: Path, cards: list[Card], element_sets: dict[str, NDArray[np.int64]], near: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[np.int64], list[Laws]]:
+    """The near pairs that a `*CONTACT PAIR` names, and their laws; of several cards the last one holds."""
+    by_name = _interactions(cards)
+    laws: list[Laws] = []
+    found: dict[tuple[int, int], int] = {}
+    sets = {name.upper(): members for name, members in element_sets.items()}
+    for card in cards:
+        if not card.is_a("CONTACT PAIR"):
+            continue
+        one = by_name[str(card["INTERACTION"]).upper()]
+        if one not in laws:
+            laws.append(one)
+        for names in card.data:
+            members = [sets[key] for key in (str(name).upper() for name in names if name is not None) if key in sets]
+            if len(members) < sum(name is not None for name in names):
+                warnings.warn(f"{path}: not exported: contact with the rigid surface {names[-1]}", stacklevel=4)
+                continue
+            is_in = [np.isin(near, some) for some in (members[0], members[-1])]
+            touches = (is_in[0][:, 0] & is_in[1][:, 1]) | (is_in[0][:, 1] & is_in[1][:, 0])
+            found |= {(int(a), int(b)): laws.index(one) for a, b in near[touches]}
+    pairs = np.array(sorted(found), dtype=np.int64).reshape(-1, 2)
+    return pairs, np.array([found[a, b] for a, b in pairs.tolist()], dtype=np.int64), laws
+
+
+def _interactions(cards: list[Card]) -> dict[str, Laws]:
+    """Laws by the names of the surface interactions in capitals."""
+    found: dict[str, Laws] = {}
+    name = ""
+    for card in cards:
+        if card.is_a("SURFACE INTERACTION"):
+            name = str(card["NAME"]).upper()
+            found[name] = Laws(NORMAL_LAWS["hertz"], 0, 0.0)
+        elif card.is_a("SURFACE BEHAVIOR"):
+            law = str(card["PRESSURE-OVERCLOSURE"]).lower()
+            penalty = float(card[0, 0] or 0) if card.data and law == "linear" else 0.0
+            if law == "linear" and not penalty:
+                raise FileError(
+                    f"the interaction {name} has a penalty per length only; the contact element is that of a crossing"
+                )
+            found[name] = Laws(NORMAL_LAWS[law], found[name].spot, penalty, found[name].data, found[name].voltage)
+        elif card.is_a("GAP ELECTRICAL CONDUCTANCE"):
+            numbers = tuple(float(value) for row in card.data for value in row if isinstance(value, int | float))
+            voltage = 0 if str(card.get("VOLTAGE", "")).upper() == "LINEAR" else 1
+            spot = SPOT_LAWS[str(card["LAW"]).lower()]
+            found[name] = Laws(found[name].normal, spot, found[name].penalty, numbers, voltage)
+    return found
+
+
+def _prescribed(first: Any, last: Any = None, value: Any = None) -> tuple[int, int, float]:
+    """Degrees of freedom and value of a line of `*BOUNDARY`."""
+    return int(first), int(first if last is None else last), float(value or 0)
+
+
+def _read_conditions(model: HostModel, cards: list[Card], node_sets: dict[str, NDArray[np.int64]]) -> None:
+    """Supports, and what the first step prescribes and loads; an amplitude is taken as 1."""
+    row_of = {int(number): row for row, number in enumerate(model.node_numbers)}
+    sets = {name.upper(): members for name, members in node_sets.items()}
+    n_steps = 0
+    for card in cards:
+        n_steps += card.is_a("STEP")
+        if n_steps > 1:
+            break
+        if not (card.is_a("BOUNDARY") or card.is_a("CLOAD")):
+            continue
+        for where, first, *rest in card.data:
+            rows = [row_of[where]] if isinstance(where, int) else sets[str(where).upper()]
+            if card.is_a("CLOAD"):
+                model.loads |= {(int(row), int(first)): float(rest[0]) for row in rows}  # type: ignore[arg-type]
+                continue
+            if isinstance(first, str):
+                dofs, value = _SUPPORTS[first.upper()], 0.0
+            else:
+                begin, end, value = _prescribed(first, *rest)
+                dofs = range(begin, end + 1)
+            for key in ((int(row), dof) for row in rows for dof in dofs):
+                if value == 0:
+                    model.supports.add(key)
+                    model.prescribed.pop(key, None)
+                else:
+                    model.prescribed[key] = value
+                    model.supports.discard(key)
