@@ -188,12 +188,12 @@ contains
       type(parameter_spec_t) :: exponent
 
       call begin(k, 'SUPERCONDUCTOR', place_model, 'Filaments that superconduct, in a metal of the given'// &
-         ' *ELECTRICAL CONDUCTIVITY (litz extension): E = EC (J/jc)^N in parallel with the metal, each with its part'// &
-         ' of the cross-section. TABLE: a critical current density, or several over temperature and flux density,'// &
-         ' linear in between and constant outside. NB3SN: the ITER-2008 parametrization, over strain too. NBTI:'// &
-         ' the fit of Bottura (2000). Temperatures count from absolute zero. The strain is that of the beam along'// &
-         ' its axis, without that of temperature, and STRAIN; the flux density that of *LORENTZ in the middle of the'// &
-         ' element, otherwise FIELD.', after='MATERIAL')
+         ' *ELECTRICAL CONDUCTIVITY (litz extension): E = EC (J/jc)^N in parallel with the metal, each with its'// &
+         ' part of the cross-section. TABLE: a critical current density, or several over temperature and flux'// &
+         ' density, linear in between and constant outside. NB3SN: the ITER-2008 parametrization, over strain too.'// &
+         ' NBTI: the fit of Bottura (2000). Temperatures count from absolute zero. The strain is that of the beam'// &
+         ' along its axis, without that of temperature, and STRAIN; the flux density that of *LORENTZ in the middle'// &
+         ' of the element, otherwise FIELD.', after='MATERIAL')
       call k%add(choice('LAW', critical_choices, 'law of the critical current density', default='TABLE'))
       exponent = number('N', 'exponent of the power law, 1 or more', limit_one)
       exponent%required = .true.

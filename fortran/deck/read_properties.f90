@@ -90,9 +90,10 @@ contains
       end do
       model%materials = model%materials(:self%materials%names%n)
       do i = 1, size(model%materials)
-         if (allocated(model%materials(i)%superconductor) .and. .not. model%materials(i)%conductivity > 0) &
+         if (allocated(model%materials(i)%superconductor) .and. .not. model%materials(i)%conductivity > 0) then
             call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name// &
-            ' has *SUPERCONDUCTOR, but no *ELECTRICAL CONDUCTIVITY of the metal around it')
+               ' has *SUPERCONDUCTOR, but no *ELECTRICAL CONDUCTIVITY of the metal around it')
+         end if
          if (model%materials(i)%young > 0) cycle
          call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name//' has no *ELASTIC')
       end do

@@ -65,7 +65,7 @@ contains
    !> What the limits of the single values do not say.
    subroutine check_nb3sn(self, parameters)
       type(reader_t), intent(inout) :: self
-      !> As of litz_critical_nb3sn
+      !> As of litz_critical_nb3sn (9)
       real(dp), intent(in) :: parameters(:)
 
       associate (ca1 => parameters(6), ca2 => parameters(7), e0 => parameters(8))
@@ -99,8 +99,8 @@ contains
             call read_line(self, card, line, ok)
             if (.not. ok) return
             if (this%last_data > this%first_data .and. .not. all(values%given(2:3))) then
-               call fail_at(self, self%deck%line_token(line), 'every line of a table of critical current densities has'// &
-                  ' three values: jc, T, B')
+               call fail_at(self, self%deck%line_token(line), 'every line of a table of critical current densities'// &
+                  ' has three values: jc, T, B')
                return
             end if
             rows = reshape([rows, values%real(:3)], [3, size(rows, 2) + 1])

@@ -119,8 +119,9 @@ contains
       integer :: i
 
       do i = 1, n
-         found = core_superconductor(superconductor_wire_t(length(i), area(i), resistivity(i), parallel_law_t(law(1, i), &
-            law(2, i), law(3, i), law(4, i))), current(i), potential(1, i) - potential(2, i), 0.0_c_double)
+         found = core_superconductor(superconductor_wire_t(length(i), area(i), resistivity(i), &
+            parallel_law_t(law(1, i), law(2, i), law(3, i), law(4, i))), current(i), &
+            potential(1, i) - potential(2, i), 0.0_c_double)
          flow(:, i) = [found%current, found%by_voltage, found%field, found%drop]
       end do
    end subroutine superconductor

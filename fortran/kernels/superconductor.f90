@@ -9,14 +9,15 @@
 !> enters the balance of the nodes; with the solution of these equations `I` becomes `I*`. The voltage grows with a high
 !> power of the current and would overflow where the current is far off, so the move has the bounds of `moved_current`.
 !>
-!> Source: theory section 20.
+!> Source: theory section 18.
 module litz_superconductor
    use litz_kinds, only: dp
+   use litz_critical_law, only: superconductor_t, critical_density, critical_density_t
    use litz_parallel_law, only: parallel_law_t, parallel_field_t, field_of_current, current_of_field
    implicit none
    private
    public :: superconductor_flow_t, superconductor_wire_t, superconductor, current_at, moved_current, &
-      series_part
+      wire_of_material, series_part, critical_density_t
 
    !> rho_0 over the resistivity of the metal
    real(dp), parameter :: series_part = 1.0e-9_dp
@@ -47,6 +48,20 @@ module litz_superconductor
    end type superconductor_flow_t
 
 contains
+
+   !> The law of an element, and its critical current density.
+   pure subroutine wire_of_material(material, temperature, flux_density, strain, wire, critical)
+      type(superconductor_t), intent(in) :: material
+      !> From absolute zero [K], [T], axial strain of the beam [-]
+      real(dp), intent(in) :: temperature, flux_density, strain
+      !> Length, area and resistivity are given
+      type(superconductor_wire_t), intent(inout) :: wire
+      type(critical_density_t), intent(out) :: critical
+
+      critical = critical_density(material, temperature, flux_density, material%strain + strain)
+      wire%law = parallel_law_t((1 - material%fraction)/wire%resistivity, material%fraction*critical%value, &
+         material%criterion, material%exponent)
+   end subroutine wire_of_material
 
    !> Source: (1), (2).
    pure type(superconductor_flow_t) function superconductor(wire, current, voltage, round_off) result(flow)

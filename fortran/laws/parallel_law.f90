@@ -7,7 +7,7 @@
 !> logarithms of both, between which the slope of (1) lies in [1/n, 1]: `ln J` is convex over `ln E`, so Newton's method
 !> from the field that either conductor alone would need descends to the root, over as many decades as there are.
 !>
-!> Source: theory section 20.
+!> Source: theory section 18.
 module litz_parallel_law
    use litz_kinds, only: dp
    implicit none

@@ -164,7 +164,8 @@ contains
             end associate
             return
          end if
-         flow%voltage = self%iterate%value(potential_slots(1), node(1)) - self%iterate%value(potential_slots(1), node(2))
+         flow%voltage = self%iterate%value(potential_slots(1), node(1)) &
+            - self%iterate%value(potential_slots(1), node(2))
          call self%resistivity(element, rho, drho)
          if (.not. rho > 0) return
          call conductor(self%iterate%x(:, node), self%iterate%value(potential_slots(1), node), &

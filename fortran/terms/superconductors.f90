@@ -1,13 +1,12 @@
 !> Elements that have superconducting filaments: their currents, which are unknowns of the iteration, and what flows in
 !> them at the present iterate.
 !>
-!> Source: theory section 20.
+!> Source: theory section 18.
 module litz_superconductors
    use litz_kinds, only: dp
-   use litz_critical_law, only: critical_density, critical_density_t
    use litz_model, only: model_t
-   use litz_parallel_law, only: parallel_law_t
-   use litz_superconductor, only: superconductor, superconductor_flow_t, superconductor_wire_t, current_at, moved_current
+   use litz_superconductor, only: superconductor, superconductor_flow_t, superconductor_wire_t, current_at, &
+      moved_current, wire_of_material, critical_density_t
    implicit none
    private
    public :: superconductors_t, superconducting_state_t, new_superconductors
@@ -64,11 +63,12 @@ contains
       allocate (self%place(model%n_elements), source=0)
       self%place(self%members) = [(e, e=1, n)]
       allocate (self%strain(n), self%strain_by_temperature(n), self%strain_by_motion(12, n), &
-         self%flux_density(12, n), self%current(n), self%voltage(n), self%by_temperature(n), self%by_motion(12, n), source=0.0_dp)
+         self%flux_density(12, n), self%current(n), self%voltage(n), self%by_temperature(n), self%by_motion(12, n), &
+         source=0.0_dp)
       allocate (self%wires(n), self%flows(n))
    end function new_superconductors
 
-   !> What flows in an element. Source: theory (20.3) to (20.5).
+   !> What flows in an element. Source: theory (18.3) to (18.5).
    pure subroutine evaluate(self, model, i, now)
       class(superconductors_t), intent(inout) :: self
       type(model_t), intent(in) :: model
@@ -83,12 +83,10 @@ contains
          gradient = reshape(self%flux_density(4:, i), [3, 3])
          flux = self%flux_density(:3, i) + matmul(gradient, sum(now%x, 2)/2)
          norm = norm2(flux)
-         critical = critical_density(material, now%temperature, norm, material%strain + self%strain(i))
          wire%length = now%length
          wire%area = now%area
          wire%resistivity = now%resistivity
-         wire%law = parallel_law_t((1 - material%fraction)/now%resistivity, material%fraction*critical%value, &
-            material%criterion, material%exponent)
+         call wire_of_material(material, now%temperature, norm, self%strain(i), wire, critical)
          self%voltage(i) = now%voltage
          if (now%is_led) self%current(i) = current_at(wire, now%voltage)
          flow = superconductor(wire, self%current(i), now%voltage, now%round_off)

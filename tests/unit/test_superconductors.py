@@ -7,13 +7,15 @@ from scipy.optimize import brentq
 from litz.kernels import critical_table, nb3sn, nbti, parallel_field, superconductor
 
 #: A strand of the ITER production: C = 19922 A T of a strand of 0.82 mm that is half copper
-STRAND = dict(C=19922 / (0.5 * np.pi / 4 * 0.82e-3**2), Bc20=32.97, Tc0=16.06, p=0.63, q=2.1, Ca1=44.48, Ca2=0.0, e0=2.56e-3)
+STRAND = dict(
+    C=19922 / (0.5 * np.pi / 4 * 0.82e-3**2), Bc20=32.97, Tc0=16.06, p=0.63, q=2.1, Ca1=44.48, Ca2=0.0, e0=2.56e-3
+)
 #: With all parameters of the strain function
 SKEWED = STRAND | dict(Ca1=50.0, Ca2=12.0, em=-0.6e-3)
 LHC = dict(jref=3e9, C0=27.04, Bc20=14.5, Tc0=9.2, alpha=0.57, beta=0.9, gamma=2.32)
 
 
-def iter_2008(temperature, field, strain, *, C, Bc20, Tc0, p, q, Ca1, Ca2, e0, em=0.0):  # noqa: N803
+def iter_2008(temperature, field, strain, *, C, Bc20, Tc0, p, q, Ca1, Ca2, e0, em=0.0):
     """The parametrization as published, of arguments that may be complex."""
     e = strain - em
     shift = Ca2 * e0 / np.sqrt(Ca1**2 - Ca2**2)
@@ -23,7 +25,7 @@ def iter_2008(temperature, field, strain, *, C, Bc20, Tc0, p, q, Ca1, Ca2, e0, e
     return C / field * s * (1 - t**1.52) * (1 - t**2) * b**p * (1 - b) ** q
 
 
-def bottura(temperature, field, *, jref, C0, Bc20, Tc0, alpha, beta, gamma):  # noqa: N803
+def bottura(temperature, field, *, jref, C0, Bc20, Tc0, alpha, beta, gamma):
     """The fit as published, of arguments that may be complex."""
     u = 1 - (temperature / Tc0) ** 1.7
     b = field / (Bc20 * u)
@@ -137,7 +139,9 @@ def test_the_element_is_the_law_linearised_about_its_current():
     # rho_0 = 1e-9 rho
     series = 1e-9 * 2e-10
     assert at.drop == pytest.approx(0.01 * (field.value + series * 380 / 0.5e-6), rel=1e-14)
-    assert at.K[0] == pytest.approx([0.5e-6 / (0.01 * (field.by_current + series)) * sign for sign in (1, -1)], rel=1e-14)
+    assert at.K[0] == pytest.approx(
+        [0.5e-6 / (0.01 * (field.by_current + series)) * sign for sign in (1, -1)], rel=1e-14
+    )
     np.testing.assert_allclose(superconductor(380.0, [at.drop, 0.0], 0.01, **WIRE).R, [380, -380], rtol=1e-13)
     for v in (np.array([1e-6, -2e-6]), np.array([-3e-7, 0.0])):
         np.testing.assert_allclose(superconductor(380.0, v, 0.01, **WIRE).R, at.R + at.K @ v, rtol=1e-12)

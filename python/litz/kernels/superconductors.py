@@ -58,13 +58,13 @@ def nb3sn(
     field: Numbers,
     strain: Numbers = 0.0,
     *,
-    C: Numbers,  # noqa: N803
-    Bc20: Numbers,  # noqa: N803
-    Tc0: Numbers,  # noqa: N803
+    C: Numbers,
+    Bc20: Numbers,
+    Tc0: Numbers,
     p: Numbers,
     q: Numbers,
-    Ca1: Numbers,  # noqa: N803
-    Ca2: Numbers,  # noqa: N803
+    Ca1: Numbers,
+    Ca2: Numbers,
     e0: Numbers,
     em: Numbers = 0.0,
 ) -> CriticalDensity:
@@ -119,9 +119,9 @@ def nbti(
     field: Numbers,
     *,
     jref: Numbers,
-    C0: Numbers,  # noqa: N803
-    Bc20: Numbers,  # noqa: N803
-    Tc0: Numbers,  # noqa: N803
+    C0: Numbers,
+    Bc20: Numbers,
+    Tc0: Numbers,
     alpha: Numbers,
     beta: Numbers,
     gamma: Numbers,
@@ -302,7 +302,9 @@ def superconductor(
     flow = of.call_for_one((4,), _core.f2py_superconductor.superconductor, *of.columns())
     signs = np.array([1.0, -1.0])
     return Superconductor(
-        of.result(np.outer(signs, signs)[:, :, None] * flow[1]), of.result(signs[:, None] * flow[0]), *of.results(flow[2:])
+        of.result(np.outer(signs, signs)[:, :, None] * flow[1]),
+        of.result(signs[:, None] * flow[0]),
+        *of.results(flow[2:]),
     )
 
 
@@ -316,7 +318,9 @@ def _at(temperature: Numbers, field: Numbers) -> Batch:
 
 def _take_parameters(of: Batch, values: list[Any]) -> None:
     """The parameters of a fit, which have been checked, as one argument."""
-    of.take("parameters", np.stack(np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in values)), axis=-1), 1)
+    of.take(
+        "parameters", np.stack(np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in values)), axis=-1), 1
+    )
 
 
 def _take_law(of: Batch, conductivity: Any, critical: Any, criterion: Any, exponent: Any) -> None:

@@ -74,11 +74,16 @@ class Superconductor:
 
     def card(self) -> CardSpec:
         """The card of the material."""
-        law, rows = "TABLE", [[self.jc]] if isinstance(self.jc, float | int) else self.jc
+        law = "TABLE"
+        rows: list[list[float]]
         if self.nb3sn is not None:
-            law, rows = "NB3SN", [self.nb3sn]
+            law, rows = "NB3SN", [list(self.nb3sn)]
         elif self.nbti is not None:
-            law, rows = "NBTI", [self.nbti]
+            law, rows = "NBTI", [list(self.nbti)]
+        elif isinstance(self.jc, Iterable):
+            rows = [list(row) for row in self.jc]
+        else:
+            rows = [[self.jc or 0.0]]
         parameters: dict[str, Any] = {"LAW": law, "N": self.n}
         for name in ("fraction", "ratio"):
             if getattr(self, name) is not None:
@@ -86,7 +91,7 @@ class Superconductor:
         for name, keyword in (("criterion", "EC"), ("field", "FIELD"), ("strain", "STRAIN")):
             if getattr(self, name) != type(self).__dataclass_fields__[name].default:
                 parameters[keyword] = getattr(self, name)
-        return "SUPERCONDUCTOR", parameters, [list(row) for row in rows or []]
+        return "SUPERCONDUCTOR", parameters, rows
 
 
 @dataclass(frozen=True)
@@ -182,7 +187,7 @@ _OVER_TEMPERATURE = {
 }
 
 
-def _hashable(value: OverTemperature) -> Any:
+def _hashable(value: float | Iterable[Sequence[float]]) -> Any:
     """The number as it is, or the table as tuples."""
     return value if not isinstance(value, Iterable) else tuple(tuple(float(one) for one in row) for row in value)
 
