@@ -131,6 +131,9 @@ contains
             call record%value('shear stiffness along the second axis', this%ga3)
             if (allocated(model%materials(this%material)%elastic_table)) call record%value( &
                'how the shear stiffness follows from the elasticity', this%shear)
+            call record%list('shear stiffness over G A', reshape(this%shear_factor, [2, 1]))
+            call record%list('distances of the corners', reshape(this%corner, [2, 1]))
+            call record%value('outer radius', this%outer_radius)
             call record%list('direction of the first axis', reshape(this%n1, [3, 1]))
             call record%value('CONDUCTION', trim(merge('CURRENT LENGTH  ', 'REFERENCE LENGTH', this%current_length)))
          end associate

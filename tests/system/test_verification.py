@@ -356,7 +356,9 @@ def test_iterations_that_differ_are_seen():
     # above what is allowed, but round-off of the largest one
     tiny = {name: np.array([1.0, 1e-11]) for name in names} | {f"{name}_allowed": np.full(2, 1e-14) for name in names}
     assert residual_difference(first | tiny, first | tiny | {"force": np.array([1.0, 2e-11])}) == 0.0
-    assert residual_difference(first, first | {"iteration": np.array([0, 2])}) == np.inf
+    # one iteration more or fewer among small residuals is round-off, among large ones it is not
+    assert residual_difference(first, first | {"iteration": np.array([0, 2])}) == 0.0
+    assert residual_difference(first, first | {"iteration": np.array([1, 2])}) == np.inf
 
 
 def test_there_are_decks_to_compare_solvers_on():

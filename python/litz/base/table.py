@@ -33,8 +33,7 @@ class Table(Mapping):
     def __init__(
         self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], old_names: Mapping[str, str] | None = None
     ):
-        # columns that are read when they are asked for are left where they are
-        self._columns = dict(columns) if isinstance(columns, dict) else columns
+        self._columns = dict(columns)
         self.units = dict(units)
         self._old_names = dict(old_names or {})
         self.n_rows = len(next(iter(self._columns.values()), ()))
@@ -111,31 +110,7 @@ class Table(Mapping):
 
     def where(self, mask: np.ndarray) -> "Table":
         """The rows for which `mask` (n_rows) is true, or those it names by index."""
-        if isinstance(self._columns, dict):
-            columns: Mapping[str, np.ndarray] = {name: values[mask] for name, values in self._columns.items()}
-        else:
-            columns = _Rows(self._columns, mask)
-        return Table(columns, self.units, self._old_names)
-
-
-class _Rows(Mapping):
-    """Some rows of columns that are read when they are asked for."""
-
-    def __init__(self, columns: Mapping[str, np.ndarray], mask: np.ndarray):
-        self._columns = columns
-        self._mask = mask
-        self._taken: dict[str, np.ndarray] = {}
-
-    def __getitem__(self, name: str) -> np.ndarray:
-        if name not in self._taken:
-            self._taken[name] = self._columns[name][self._mask]
-        return self._taken[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
-
-    def __len__(self) -> int:
-        return len(self._columns)
+        return Table({name: values[mask] for name, values in self._columns.items()}, self.units, self._old_names)
 
 
 def _cell(value: object) -> str:

@@ -15,10 +15,10 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
-from .ledger_columns import LedgerColumns
+from .ledger import read_ledger
 from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
-from .text_tables import read_aligned, read_csv, read_last_column, read_units
+from .text_tables import read_aligned, read_csv, read_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -338,7 +338,9 @@ class ResultFile:
     @property
     def contacts(self) -> Table:
         """The contact ledger: a row for each contact at each increment."""
-        return self._whole(self._table("_contacts.csv", self._ledger))
+        return self._whole(
+            self._table("_contacts.csv", lambda path: read_ledger(path, self.steps, self.increments, self.times))
+        )
 
     @cached_property
     def contact_units(self) -> dict[str, str]:
@@ -426,16 +428,6 @@ class ResultFile:
         if self._tables.get(ending, (None, None))[0] != size:
             self._tables[ending] = (size, read(path))
         return self._tables[ending][1]
-
-    def _ledger(self, path: Path) -> Table:
-        """The contact ledger, from the file of contacts where that has all of it."""
-        units = read_units(path)
-        numbers = {"step": self.steps, "increment": self.increments, "time": self.times}
-        try:
-            columns = LedgerColumns(path.with_suffix(".vtkhdf"), list(units), numbers, lambda: read_last_column(path))
-        except (OSError, KeyError):
-            return read_csv(path)
-        return Table(columns, units)
 
     def _beside(self, ending: str) -> tuple[Path, int]:
         """A file beside the result file, and its size."""

@@ -102,8 +102,13 @@ def _table_of(path: Path, text: Iterable[str], separator: str | None) -> Table:
     if "element_bar" in names:
         heads = [(_OLD_NAMES.get(name, name), unit) for name, unit in heads]
     columns = {name: np.concatenate(values) for (name, _), values in zip(heads, zip(*parts, strict=True), strict=True)}
-    old_names = {old: new for old, new in _OLD_NAMES.items() if new in columns}
-    return Table(columns, dict(heads), old_names)
+    return Table(columns, dict(heads), old_names_of(columns))
+
+
+def old_names_of(columns: Iterable[str]) -> dict[str, str]:
+    """Names that columns of contact ledgers had in litz 0.1, with the present ones."""
+    present = set(columns)
+    return {old: new for old, new in _OLD_NAMES.items() if new in present}
 
 
 def _whole_lines(file: Iterable[str]) -> Iterator[str]:
