@@ -177,7 +177,7 @@ contains
          nearest = nearest_word(squeezed(self%deck%text(token)), names)
          advice = advice_about(keyword%name, self%deck%text(token))
          if (role_of(keyword%name, self%deck%text(token)) == role_idle) then
-            call warn_of_idle(self, card, token, message//': '//advice)
+            call warn_of_idle(self, card, token, message//': '//advice//'; ignored')
             return
          else if (len(advice) > 0) then
             message = message//': '//advice

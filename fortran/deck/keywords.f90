@@ -5,7 +5,7 @@
 module litz_keywords
    use litz_fields, only: n_fields
    use litz_kinds, only: dp
-   use litz_foreign_words, only: foreign_keyword, advice_about
+   use litz_foreign_words, only: foreign_keyword, advice_about, role_of, role_idle
    use litz_text, only: squeezed, nearest_word, word_length
    implicit none
    private
@@ -140,6 +140,7 @@ contains
       message = advice_about(name)
       if (len(message) > 0) then
          message = 'litz has no *'//foreign_keyword(name)//': '//message
+         if (role_of(name) == role_idle) message = message//'; ignored'
          return
       end if
       message = 'unknown keyword '//shown

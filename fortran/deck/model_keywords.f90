@@ -220,7 +220,7 @@ contains
       call finish(table, k)
 
       call begin(k, 'ELASTIC', place_model, 'Linear elastic, isotropic.', after='MATERIAL')
-      call k%add(choice('TYPE', 'ISOTROPIC', 'kind of elasticity', default='ISOTROPIC'))
+      call k%add(choice('TYPE', 'ISOTROPIC|ISO', 'kind of elasticity', default='ISOTROPIC'))
       call k%add_data([real_field('E', 'Pa', 'Young''s modulus', limit_positive), &
          real_field('nu', '-', 'Poisson''s ratio', limit_poisson), of_temperature], last=0)
       call finish(table, k)

@@ -211,8 +211,13 @@ contains
       logical :: ok
 
       call open_set(self, self%element_sets, parameter_of(self, card, 'ELSET'), set)
+      if (len(choice_of(self, card, 'TYPE')) == 0) then
+         ! a type that litz lacks, or none: what its lines hold is not known
+         self%broken_elements = .true.
+         self%line_read(self%deck%cards(card)%first_data:self%deck%cards(card)%last_data) = .true.
+         return
+      end if
       foreign = foreign_type_named(choice_of(self, card, 'TYPE'))
-      ! without a type, which is an error, any will do
       kind = max(element_b31, foreign%element_type, element_type_named(choice_of(self, card, 'TYPE')))
       if (foreign%has_middle) call warn_at(self, parameter_of(self, card, 'TYPE'), 'split_elements', 'each '// &
          trim(foreign%name)//' is taken as two B31, which are straight and linear between their nodes: compare'// &

@@ -110,7 +110,7 @@ contains
 
       token = parameter_of(self, card, parameter)
       if (token%line == 0) call warn_of_idle(self, card, self%deck%cards(card)%name, '*'//keyword_of(self, card)// &
-         ' has no '//parameter//': fields of the whole model are always in the result file')
+         ' has no '//parameter//': fields of the whole model are always in the result file; ignored')
       if (parameter == 'NSET') then
          call find_set(self, 'node', self%node_sets, parameter_of(self, card, parameter), request%set)
       else

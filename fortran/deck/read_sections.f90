@@ -115,7 +115,7 @@ contains
             shape%j = given(5)
             call check_torsion(self, ok)
          case ('RECT')
-            shape = rectangle(given(1), given(2), poisson)
+            shape = rectangle(given(1), merge(given(2), given(1), self%values%given(2)), poisson)
          case ('BOX')
             call check_walls(self, ok)
             if (ok) shape = box(given(1), given(2), given(3), given(4), poisson)

@@ -134,10 +134,10 @@ contains
       !> Index of the card
       integer, intent(in) :: card
       type(token_t), intent(in) :: token
-      !> What was found, and what to do
+      !> What was found, what to do, and that it is ignored
       character(len=*), intent(in) :: message
 
-      if (.not. self%told(card)) call warn_at(self, token, 'ignored', message//'; ignored')
+      if (.not. self%told(card)) call warn_at(self, token, 'ignored', message)
       self%told(card) = .true.
    end subroutine warn_of_idle
 

@@ -60,7 +60,8 @@ contains
          real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
          real_field('J', 'm^4', 'torsion constant', limit_positive)]
       call k%add_data(general, when='SECTION=GENERAL')
-      call k%add_data([length('a', 'side along n1'), length('b', 'side along n2')], when='SECTION=RECT')
+      call k%add_data([length('a', 'side along n1'), real_field('b', 'm', 'side along n2; a when left out', &
+         limit_positive, required=.false.)], when='SECTION=RECT')
       call k%add_data([length('a', 'outer side along n1'), length('b', 'outer side along n2'), &
          length('t1', 'wall on the side of n1'), length('t2', 'wall on the side of n2'), &
          length('t3', 'wall opposite to t1, as thick'), length('t4', 'wall opposite to t2, as thick')], &

@@ -121,7 +121,7 @@ contains
       if (len(advice) == 0) advice = nearest
       message = what//' must be '//join_words(words, 'or')//'; found '//self%deck%shown(token)//behind_semicolon(advice)
       if (role == role_idle) then
-         call warn_of_idle(self, card_of(self, token%line), token, message)
+         call warn_of_idle(self, card_of(self, token%line), token, message//'; ignored')
       else
          call fail_at(self, token, message)
       end if

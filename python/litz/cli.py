@@ -22,7 +22,7 @@ Commands of the Python package:
                                           the model to rotate; also for runs that did not converge
   litz view RESULTS [--no-browser]        the results in the browser: rotate, step through increments, select contacts
   litz new TASK [DECK]                    write a commented deck as a starting point; litz new --list shows the tasks
-  litz convert MESH DECK --radius R       a deck from a mesh of gmsh, Abaqus or BeamMe, or any that meshio reads
+  litz convert MESH DECK --radius R       a deck from one of Abaqus or CalculiX, or from a mesh of gmsh, BeamMe or meshio
   litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
   litz export feap|abaqus DECK            the model for a program with litz's contact element as a user element
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.

@@ -110,7 +110,7 @@ def test_tables_as_data_frames(results):
 
 def test_a_converted_mesh_runs_when_it_is_held(litz, tmp_path):
     (tmp_path / "mesh.inp").write_text("*Node\n 1, 0, 0, 0\n 2, 0.1, 0, 0\n*Element, type=B31, elset=WIRE\n 1, 1, 2\n")
-    done = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", cwd=tmp_path)
+    done = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", "--length", "m", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "2 nodes, 1 elements" in done.stdout
     deck = tmp_path / "deck.inp"
@@ -118,7 +118,7 @@ def test_a_converted_mesh_runs_when_it_is_held(litz, tmp_path):
     assert litz("check", deck).returncode == 1
     deck.write_text(text.replace("*STEP", "*BOUNDARY\n 1, ENCASTRE\n*STEP", 1))
     assert litz("run", deck, "-o", tmp_path).returncode == 0
-    again = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", cwd=tmp_path)
+    again = command("convert", "mesh.inp", "deck.inp", "--radius", "1e-3", "--length", "m", cwd=tmp_path)
     assert again.returncode == 4
     assert "is not overwritten" in again.stderr
     without = command("convert", "mesh.inp", "other.inp", cwd=tmp_path)
@@ -159,7 +159,7 @@ def test_the_outline_of_a_converted_mesh_is_a_deck_that_runs(litz, tmp_path, con
         "*Element, type=B31, elset=LOWER\n 1, 1, 2\n*Element, type=B31, elset=UPPER\n 2, 3, 4\n 3, 4, 5\n"
         "*Nset, nset=LOWER_ENDS\n 1, 2\n*Nset, nset=UPPER_ENDS\n 3, 5\n"
     )
-    done = command("convert", "mesh.inp", "deck.inp", "--radius", "3e-4", *conductivity, cwd=tmp_path)
+    done = command("convert", "mesh.inp", "deck.inp", "--radius", "3e-4", "--length", "m", *conductivity, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     outline, n_lines = re.subn(r"^\*\* ([* ])", r"\1", (tmp_path / "deck.inp").read_text(), flags=re.MULTILINE)
     assert n_lines >= 9

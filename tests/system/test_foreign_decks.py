@@ -226,6 +226,8 @@ def test_the_name_of_a_set_may_be_a_number(check):
             "*Solid Section, material=Al\n*Material, name=Al\n*Elastic\n 7e4, 0.3\n*Material, name",
             "SOLID",
         ),
+        # elements of another kind have other nodes, and are missing in sets, sections and supports
+        ("*Element, type=B33\n1, 1, 2", "*Element, type=C3D8\n1, 1, 2, 3, 4, 1, 2, 3, 4", 'found "C3D8"'),
         ("*Static\n1., 1., 1e-05, 1.", "*Frequency\n 10", "there are no eigenvalues"),
         ("*Static\n1., 1., 1e-05, 1.", "*Heat Transfer", "use *COUPLED THERMAL-ELECTRICAL"),
     ],

@@ -41,7 +41,9 @@ def test_each_keyword_is_answered_by_its_advice(litz, rows):
             # as a user of Abaqus writes it
             answer = litz("keywords", word.title())
             assert answer.returncode == 1
-            assert answer.stderr == f"error: litz has no {word}: {advice}\n"
+            assert (
+                answer.stderr.removesuffix("; ignored\n").removesuffix("\n") == f"error: litz has no {word}: {advice}"
+            )
 
 
 def test_litz_has_none_of_the_keywords_and_all_that_the_advice_names(rows, keywords):

@@ -92,6 +92,10 @@ def test_a_rectangle(values, ratio, beta):
     assert (ga2 / (G * area), ga3 / (G * area)) == pytest.approx((10 * 1.3 / 15.3,) * 2, rel=2 * PRINTED)
 
 
+def test_a_rectangle_of_one_side_is_a_square_as_in_calculix(values):
+    assert values("RECT", [3.0]) == values("RECT", [3.0, 3.0])
+
+
 def test_a_thin_strip_twists_as_thin_walls_do(values):
     j = values("RECT", [100.0, 0.5])[3]
     assert j == pytest.approx(100 * 0.5**3 / 3 * (1 - 0.63025 * 0.5 / 100), rel=PRINTED)
@@ -213,7 +217,6 @@ REFUSED = {
     "I without a web": ("SECTION=I\n 5, 10, 100, 100, 5, 5, 5", "leave no room for its web"),
     "L": ("SECTION=L\n 40, 40, 4, 4", 'found "L"; n1 and n2 are not its principal axes'),
     "trapezoid": ("SECTION=TRAPEZOID\n 4, 4, 4, 1", "use GENERAL with A, I11"),
-    "rectangle of one side": ("SECTION=RECT\n 4", "b (side along n2), is missing"),
     "shear factor in place of J": (
         "SECTION=GENERAL\n 12., 0.36, 0., 0.04, 0.85",
         "no section has the torsion constant J",

@@ -1,14 +1,20 @@
 """The commands that write decks."""
 
+import argparse
+import sys
 from pathlib import Path
 
 from ..build.starters import new, starter_list
 from ..errors import FileError
 from ..model import COPPER, Material, Model
 from ..model.abaqus_mesh import DIALECTS
+from ..model.foreign_deck import convert_deck, has_steps
 from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
 from .parsers import command_parser
+
+#: Units of length, in metres
+LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
 
 
 def new_command(arguments: list[str]) -> int:
@@ -34,9 +40,11 @@ def new_command(arguments: list[str]) -> int:
 
 
 def convert_command(arguments: list[str]) -> int:
-    """`litz convert`: a deck from a mesh."""
+    """`litz convert`: a deck from a mesh, or from a deck of another program."""
     parser = command_parser(
-        "convert", "Write the wires and sets of a mesh as a deck, to which supports and steps are added."
+        "convert",
+        "Write a deck of Abaqus or CalculiX as one of litz, or the wires and sets of a mesh as a deck to which supports and"
+        " steps are added.",
     )
     parser.add_argument("mesh", metavar="MESH", help="Abaqus, gmsh or BeamMe (.inp), gmsh (.msh), or what meshio reads")
     parser.add_argument("deck", metavar="DECK", help="the deck to write; an existing file is not overwritten")
@@ -52,8 +60,11 @@ def convert_command(arguments: list[str]) -> int:
         help="radius of the wires, in the length unit of the mesh; not needed if the mesh has sections",
     )
     parser.add_argument(
-        "--young", type=float, default=COPPER.young, help="Young's modulus; default: copper in SI units"
+        "--length",
+        choices=LENGTHS,
+        help="unit of length of the mesh, with forces in N: the unit of the default material, and the label of *UNITS",
     )
+    parser.add_argument("--young", type=float, help="Young's modulus; default: copper, in the units of --length")
     parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
     parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
     parser.add_argument(
@@ -66,10 +77,13 @@ def convert_command(arguments: list[str]) -> int:
     if Path(options.deck).exists():
         raise FileError(f"{options.deck} exists already and is not overwritten; choose another name")
     try:
+        if options.radius is None and has_steps(Path(options.mesh)):
+            return _convert_whole_deck(options)
         mesh = read_mesh(options.mesh, dialect=options.dialect)
         notes = ["Supports, contacts and loads must be added: outlines are below, `litz keywords` explains them."]
-        model = Model(f"Wires of {mesh.path.name}", notes)
-        material = Material("WIRE", options.young, options.poisson, options.conductivity)
+        units = {} if options.length is None else {"length": options.length}
+        model = Model(f"Wires of {mesh.path.name}", notes, **({"units": units} if units else {}))
+        material = Material("WIRE", _young(options), options.poisson, options.conductivity)
         model.mesh(
             mesh, radius=options.radius, material=None if options.radius is None else material, element=options.element
         )
@@ -82,6 +96,36 @@ def convert_command(arguments: list[str]) -> int:
         if sets:
             print(f"{what}: {', '.join(sets)}")
     return 0
+
+
+def _young(options: argparse.Namespace) -> float:
+    """Young's modulus: as told, or that of copper in the units of the mesh."""
+    if options.young is not None:
+        return options.young
+    if options.length is None and options.radius is not None:
+        raise ValueError(
+            "the material of the wires: --young (in the units of the mesh) or --length (copper in these, with forces in N)"
+        )
+    # N per square of the unit
+    return COPPER.young * LENGTHS[options.length or "m"] ** 2
+
+
+def _convert_whole_deck(options: argparse.Namespace) -> int:
+    """A deck with steps keeps all that litz has; exit code 1: something that changes results is missing."""
+    units = {} if options.length is None else {"LENGTH": options.length}
+    converted = convert_deck(Path(options.mesh), options.dialect, units)
+    Path(options.deck).write_text(converted.text, encoding="utf-8", errors="surrogateescape")
+    print(f"wrote {options.deck}; check it: litz check {options.deck}")
+    for title, reasons in (
+        ("comments, without which the results are the same", converted.ignored),
+        ("comments, WITHOUT WHICH THE RESULTS ARE OTHERS", converted.left_out),
+    ):
+        if reasons:
+            print(f"{title}:", file=sys.stderr)
+        for reason in dict.fromkeys(reasons):
+            print(f"  {reason}", file=sys.stderr)
+    # what is missing must not go unnoticed in scripts
+    return 1 if converted.left_out else 0
 
 
 def _write_with_outline(model: Model, path: Path) -> None:

@@ -13,6 +13,8 @@ from ..errors import FileError
 from .materials import Circular, General, Material, Section
 from .mesh import FOREIGN_BEAMS, Mesh, element_types, unique_rows
 
+#: Cards that a mesh does not lack
+_NO_LOSS = ("HEADING", "PREPRINT", "ASSEMBLY", "END ASSEMBLY", "NORMAL", "ORIENTATION")
 #: Whose decks are read
 DIALECTS = ("abaqus", "ccx")
 #: Trusses, as which gmsh writes its lines: wires in a deck that has no beams
@@ -48,6 +50,8 @@ class _DeckReader:
         self.materials: dict[str, list[float]] = {}
         self.sections: list[tuple[str, Card]] = []
         self.left_out: dict[str, int] = {}
+        #: Names of the cards that are no mesh, in their order
+        self.dropped: dict[str, None] = {}
         #: Cards of the parts
         self.parts: dict[str, list[Card]] = {}
         self._material = ""
@@ -57,7 +61,7 @@ class _DeckReader:
         self._turn: tuple[int, Card] | None = None
 
     def read(self, card: Card) -> None:
-        """Read a card; cards that do not concern the mesh are ignored."""
+        """Read a card; those that do not concern the mesh are kept by name."""
         if card.is_a("END PART"):
             self._part = None
         elif card.is_a("PART"):
@@ -76,13 +80,20 @@ class _DeckReader:
             self._collect(self.node_sets, str(card["NSET"]), card)
         elif card.is_a("ELSET"):
             self._collect(self.element_sets, str(card["ELSET"]), card)
-        elif card.is_a("MATERIAL"):
+        else:
+            self._read_property(card)
+
+    def _read_property(self, card: Card) -> None:
+        """Read a card of a section or a material; others are told of."""
+        if card.is_a("MATERIAL"):
             self._material = str(card["NAME"])
         elif card.is_a("ELASTIC") or card.is_a("ELECTRICAL CONDUCTIVITY"):
             values = [float(value) for value in card.data[0] if isinstance(value, int | float)] if card.data else []
             self.materials.setdefault(self._material, []).extend(values)
         elif card.is_a("BEAM SECTION"):
             self.sections.append((self._prefix, card))
+        elif card.name not in _NO_LOSS:
+            self.dropped[card.name] = None
 
     def mesh(self) -> Mesh:
         """The mesh that has been read."""
@@ -120,14 +131,7 @@ class _DeckReader:
         """Move the instance to its place, by the data lines of its card: a shift, then a rotation about an axis."""
         if self._turn is not None:
             first, card = self._turn
-            lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in card.data]
-            shift = np.array([*lines[0], 0, 0, 0][:3]) if lines else np.zeros(3)
-            places = np.array(self.places[first:]).reshape(-1, 3) + shift
-            if len(lines) > 1:
-                if len(lines[1]) != 7:
-                    raise FileError(f"{self.path}: the second line of *INSTANCE {card['NAME']} needs seven numbers")
-                places = _rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
-            self.places[first:] = places.tolist()
+            self.places[first:] = placed(np.array(self.places[first:]).reshape(-1, 3), card, self.path).tolist()
         self._instance, self._prefix, self._turn = "", "", None
 
     def _take_or_leave_trusses(self) -> None:
@@ -208,7 +212,18 @@ def _spelt(name: str, names: Iterable[str]) -> str:
     return next((known for known in names if known.upper() == name.upper()), name)
 
 
-def _rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
+def placed(places: NDArray, card: Card, path: Path) -> NDArray:
+    """Positions (n, 3) of a part at the place of an `*INSTANCE`: a shift, then a rotation about an axis."""
+    lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in card.data]
+    places = places.reshape(-1, 3) + (np.array([*lines[0], 0, 0, 0][:3]) if lines else np.zeros(3))
+    if len(lines) > 1:
+        if len(lines[1]) != 7:
+            raise FileError(f"{path}: the second line of *INSTANCE {card['NAME']} needs seven numbers")
+        places = rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
+    return places
+
+
+def rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
     """Turned about the axis from a to b."""
     length = float(np.linalg.norm(b - a))
     if not length > 0:
@@ -222,7 +237,11 @@ def _rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray
 
 def read_deck(path: Path, dialect: str | None = None) -> Mesh:
     """The beams, sets and sections of a deck; `dialect` is one of `DIALECTS`, needed where it has round sections."""
-    return _reader_of(path, dialect).mesh()
+    reader = _reader_of(path, dialect)
+    if reader.dropped:
+        names = ", ".join(f"*{name}" for name in reader.dropped)
+        warnings.warn(f"{path}: only the mesh is read, with sections and materials, not {names}", stacklevel=4)
+    return reader.mesh()
 
 
 def read_numbered_deck(path: Path, dialect: str) -> tuple[Mesh, NDArray[np.int64], NDArray[np.int64]]:
@@ -246,6 +265,7 @@ def _reader_of(path: Path, dialect: str | None) -> _DeckReader:
     reader = _DeckReader(path, dialect)
     for card in deck_cards(Deck.read(path)):
         if card.is_a("STEP"):
+            reader.dropped["STEP"] = None
             break
         reader.read(card)
     return reader
@@ -264,13 +284,13 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
             )
             continue
         material = _material(name, *values)
-        yield f"{prefix}{card['ELSET']}", _round_section(reader, card, material), material
+        yield f"{prefix}{card['ELSET']}", round_section(reader.path, reader.dialect, card, material), material
 
 
-def _round_section(reader: _DeckReader, card: Card, material: Material) -> Section:
+def round_section(path: Path, dialect: str | None, card: Card, material: Material) -> Section:
     """What `SECTION=CIRC` means: the radius in Abaqus; the diameters of an ellipse along the section axes in CalculiX."""
-    where = f"{reader.path}: *BEAM SECTION, ELSET={card.get('ELSET')}, SECTION=CIRC"
-    if reader.dialect is None:
+    where = f"{path}: *BEAM SECTION, ELSET={card.get('ELSET')}, SECTION=CIRC"
+    if dialect is None:
         raise ValueError(
             f"{where} is the radius in Abaqus, but the diameter in CalculiX: which of them is meant must be told by"
             " --dialect abaqus or --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
@@ -279,12 +299,10 @@ def _round_section(reader: _DeckReader, card: Card, material: Material) -> Secti
     if offsets:
         raise ValueError(f"{where} has {' and '.join(offsets)}: the axes of wires pass through their nodes")
     values = [value for value in (card.data or [[]])[0] if value is not None]
-    if len(values) not in (1, 2)[: 1 + (reader.dialect == "ccx")]:
-        takes = "the radius" if reader.dialect == "abaqus" else "one diameter, or two"
-        raise ValueError(
-            f"{where} has {len(values)} values on its first line; in the dialect {reader.dialect} it is {takes}"
-        )
-    if reader.dialect == "abaqus":
+    if len(values) not in (1, 2)[: 1 + (dialect == "ccx")]:
+        takes = "the radius" if dialect == "abaqus" else "one diameter, or two"
+        raise ValueError(f"{where} has {len(values)} values on its first line; in the dialect {dialect} it is {takes}")
+    if dialect == "abaqus":
         return Circular(float(values[0]))
     first, last = float(values[0]), float(values[-1])
     if first == last:

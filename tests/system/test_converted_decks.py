@@ -1,0 +1,308 @@
+"""`litz convert` of whole decks of Abaqus and CalculiX: what litz has stays, the rest is told and becomes a comment."""
+
+import os
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from litz import Results
+
+#: As Abaqus/CAE writes a model of a part with two instances, the second one turned about z and shifted
+CAE = """\
+*Heading
+** Job name: Job-1 Model name: Model-1
+*Preprint, echo=NO, model=NO, history=NO, contact=NO
+*Part, name=Bar
+*Node
+ 1, 0., 0., 0.
+ 2, 50., 0., 0.
+ 3, 100., 0., 0.
+*Element, type=B33
+1, 1, 2
+2, 2, 3
+*Nset, nset=Set-1, generate
+ 1, 3, 1
+*Elset, elset=Set-1, generate
+ 1, 2, 1
+** Section: Section-1
+*Beam Section, elset=Set-1, material=Steel, temperature=GRADIENTS, section=RECT
+2., 6.
+0.,1.,0.
+*End Part
+*Assembly, name=Assembly
+*Instance, name=Bar-1, part=Bar
+*End Instance
+*Instance, name=Bar-2, part=Bar
+ 0., 0., 40.
+ 0., 0., 40., 0., 0., 41., 90.
+*End Instance
+*Nset, nset=Roots, instance=Bar-1
+ 1,
+*Nset, nset=Roots, instance=Bar-2
+ 1,
+*Nset, nset=Tip-2, instance=Bar-2
+ 3,
+*End Assembly
+*Amplitude, name=Amp-1
+0., 0., 1., 1.
+*Material, name=Steel
+*Elastic
+210000., 0.3
+*Boundary
+Roots, ENCASTRE
+*Step, name=Modes, perturbation
+*Frequency, eigensolver=Lanczos
+10, , , , ,
+*End Step
+*Step, name=Load, nlgeom=YES
+*Static
+1., 1., 1e-05, 1.
+*Cload, amplitude=Amp-1
+Bar-1.3, 3, 1e-3
+Tip-2, 3, 2e-3
+*Output, field, variable=PRESELECT
+*End Step
+"""
+
+
+def command(*arguments, cwd):
+    return subprocess.run(
+        [sys.executable, "-m", "litz", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        cwd=cwd,
+        env=os.environ,
+        check=False,
+    )
+
+
+@pytest.fixture
+def convert(tmp_path):
+    def of(text, *options):
+        (tmp_path / "foreign.inp").write_text(text)
+        (tmp_path / "new.inp").unlink(missing_ok=True)
+        done = command("convert", "foreign.inp", "new.inp", *options, cwd=tmp_path)
+        return done, (tmp_path / "new.inp").read_text() if (tmp_path / "new.inp").exists() else ""
+
+    return of
+
+
+def test_supports_loads_amplitudes_and_steps_are_kept_and_the_deck_runs(convert, litz, tmp_path):
+    done, _ = convert(CAE)
+    assert done.returncode == 0, done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    results = Results(tmp_path / "out")
+    place, moved = results.field("reference_position"), results.field("displacement")
+    np.testing.assert_allclose(place[3:], [[0, 0, 40], [0, 50, 40], [0, 100, 40]], atol=1e-12)
+    # n1 lies along y, and along -x where it was turned: the side of 6 is the depth of both for forces along z
+    sag = 1e-3 * 100**3 / (3 * 210000 * 2 * 6**3 / 12)
+    # a deflection of 4e-5 of the length
+    np.testing.assert_allclose(moved[[2, 5], 2], [sag, 2 * sag], rtol=1e-7)
+
+
+def test_what_is_left_out_is_told_with_its_reason_and_stands_as_a_comment(convert):
+    done, text = convert(CAE.replace("*Output", "*Dsload\nSurf-1, P, 1.\n*Output"))
+    # the deck is written, but results without the load are others: a script must not go on
+    assert done.returncode == 1
+    same, others = done.stderr.split("comments, WITHOUT WHICH THE RESULTS ARE OTHERS:\n")
+    assert [re.search(r"\*[A-Z]+", line)[0] for line in same.splitlines()[1:]] == ["*STEP", "*PREPRINT", "*OUTPUT"]
+    assert [re.search(r"\*[A-Z]+", line)[0] for line in others.splitlines()] == ["*DSLOAD"]
+    assert (
+        "** litz has no *DSLOAD: beams have no surfaces: *DLOAD gives forces per length:\n** *Dsload\n** Surf-1, P, 1.\n"
+        in text
+    )
+    assert (
+        "** *Step, name=Modes, perturbation\n** *Frequency, eigensolver=Lanczos\n** 10, , , , ,\n** *End Step\n" in text
+    )
+    # the user's own comments stay
+    assert "** Section: Section-1\n" in text
+
+
+def test_local_axes_of_nodes_are_not_left_out_unnoticed(convert):
+    """Without them supports and loads would act along other axes."""
+    done, text = convert(
+        CAE.replace("*Amplitude, name", "*Transform, nset=Roots\n 0., 1., 0., -1., 0., 0.\n*Amplitude, name")
+    )
+    assert done.returncode == 1
+    assert "litz has no *TRANSFORM" in done.stderr.split("ARE OTHERS:")[1]
+    assert "** *Transform, nset=Roots\n" in text
+
+
+def test_numbers_stay_where_no_two_instances_share_them(convert):
+    second = CAE[CAE.index("*Instance, name=Bar-2") : CAE.index("*Nset, nset=Roots, instance=Bar-1")]
+    text = CAE.replace(second, "").replace(
+        "*Nset, nset=Roots, instance=Bar-2\n 1,\n*Nset, nset=Tip-2, instance=Bar-2", "*Nset, nset=Tip-2, instance=Bar-1"
+    )
+    done, new = convert(
+        text.replace(" 3, 100., 0., 0.", " 7, 100., 0., 0.")
+        .replace("2, 2, 3\n", "2, 2, 7\n")
+        .replace(" 3,\n", " 7,\n")
+        .replace("1, 3, 1", "1, 7, 1")
+    )
+    assert done.returncode == 0, done.stderr
+    assert "*Nset, nset=Bar-1.Set-1\n 1, 2, 7\n" in new
+    assert " 2, 2, 7\n" in new
+    assert "*Beam Section, elset=Bar-1.Set-1," in new
+
+
+def test_an_instance_may_have_a_mesh_of_its_own(convert, litz, tmp_path):
+    """As Abaqus/CAE writes independent instances."""
+    mesh = CAE[CAE.index("*Node") : CAE.index("*End Part")]
+    text = (
+        CAE.replace(mesh, "")
+        .replace("part=Bar\n", f"part=Bar\n{mesh}")
+        .replace(" 0., 0., 40.\n 0., 0., 40., 0., 0., 41., 90.\n", "")
+    )
+    text = text.replace(
+        f"name=Bar-2, part=Bar\n{mesh}", f"name=Bar-2, part=Bar\n 0., 0., 40.\n 0., 0., 40., 0., 0., 41., 90.\n{mesh}"
+    )
+    done, _ = convert(text)
+    assert done.returncode == 0, done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    np.testing.assert_allclose(Results(tmp_path / "out").field("reference_position")[5], [0, 100, 40], atol=1e-12)
+
+
+#: A cantilever as CalculiX has it: along z, with a diameter, output of all kinds, in millimetres
+CCX = """\
+*NODE, NSET=Nall
+1, 0, 0, 0
+2, 0, 0, 50
+3, 0, 0, 100
+*ELEMENT, TYPE=B31, ELSET=EAll
+1, 1, 2
+2, 2, 3
+*BOUNDARY
+1, 1, 6
+*MATERIAL, NAME=ALUM
+*ELASTIC
+7E4, .3
+*BEAM SECTION, ELSET=EAll, MATERIAL=ALUM, SECTION=CIRC
+4.
+1.d0, 0.d0, 0.d0
+*STEP
+*STATIC
+*CLOAD
+3, 3, 100.
+*NODE FILE
+U
+*EL FILE
+S
+*END STEP
+"""
+
+
+@pytest.mark.parametrize(("dialect", "radius"), [("ccx", 2.0), ("abaqus", 4.0)])
+def test_round_sections_are_converted_in_their_dialect(convert, litz, tmp_path, dialect, radius):
+    assert convert(CCX)[0].returncode == 1
+    done, _ = convert(CCX, "--dialect", dialect, "--length", "mm")
+    assert done.returncode == 0, done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    results = Results(tmp_path / "out")
+    stretch = 100 * 100 / (7e4 * np.pi * radius**2)
+    # large displacements change a stretch of 1e-4 by nothing: the beam is linear in it
+    assert results.field("displacement")[2, 2] == pytest.approx(stretch, rel=1e-9)
+    assert results.units["displacement"] == "mm"
+
+
+def test_an_ellipse_of_calculix(convert, litz, tmp_path):
+    done, new = convert(CCX.replace("\n4.\n", "\n4., 8.\n"), "--dialect", "ccx")
+    assert done.returncode == 0, done.stderr
+    assert "*TRANSVERSE SHEAR STIFFNESS" in new
+    told = litz("check", "new.inp", cwd=tmp_path)
+    assert told.returncode == 0, told.stderr
+    assert f"A = {np.pi * 8:.4f}"[:9] in told.stdout
+    assert f"I2 = {np.pi / 4 * 2 * 4**3:.3f}"[:9] in told.stdout
+
+
+def test_names_of_shapes_are_four_letters_in_calculix(convert, litz, tmp_path):
+    text = CCX.replace("SECTION=CIRC\n4.\n", "SECTION=rectangular\n4., 4.\n")
+    assert convert(text, "--dialect", "ccx")[0].returncode == 0
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+
+
+MESH = "*Node\n 1, 0, 0, 0\n 2, 0.1, 0, 0\n*Element, type=B31, elset=WIRE\n 1, 1, 2\n"
+
+
+def test_copper_is_that_of_the_unit_of_length_and_no_unit_is_assumed(convert):
+    done, _ = convert(MESH, "--radius", "1")
+    assert done.returncode == 1
+    assert "--young (in the units of the mesh) or --length" in done.stderr
+    # 120e9 N/m^2
+    for unit, young in (("m", 120e9), ("mm", 120e3), ("um", 0.12)):
+        done, new = convert(MESH, "--radius", "1", "--length", unit)
+        assert done.returncode == 0, done.stderr
+        assert float(re.search(r"\*ELASTIC\n (\S+),", new)[1]) == pytest.approx(young)
+        assert f"LENGTH={unit}" in new
+    assert convert(MESH, "--radius", "1", "--young", "7e4")[0].returncode == 0
+
+
+def test_a_mesh_tells_what_else_was_in_its_file(convert):
+    done, _ = convert(MESH + "*Boundary\n 1, 1, 6\n*Amplitude, name=A\n 0., 1.\n", "--radius", "1", "--length", "m")
+    assert done.returncode == 0
+    assert "only the mesh is read, with sections and materials, not *BOUNDARY, *AMPLITUDE" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("name=Bar-2, part=Bar", "name=Bar-2, part=Beam", "refers to the part Beam, which does not exist"),
+        ("0., 0., 40., 0., 0., 41., 90.", "0., 0., 40., 0., 0., 41.", "needs seven numbers"),
+    ],
+)
+def test_instances_that_cannot_be_placed(convert, old, new, message):
+    done, _ = convert(CAE.replace(old, new))
+    assert done.returncode != 0
+    assert message in done.stderr
+
+
+#: Section card and first data line of CalculiX, and the tip displacements of CalculiX 2.20 along y and along z: cantilevers
+#: of length 100 under 0.01 N, 40 elements B32R, E = 210000, nu = 0.3
+CALCULIX = {
+    "rectangle": ("BEAM SECTION", "RECT\n4., 8.", 9.313455e-05, 3.701576e-04),
+    "square": ("BEAM SECTION", "RECT\n6.", None, None),
+    "circle": ("BEAM SECTION", "CIRC\n6., 6.", 2.479806e-04, 2.479806e-04),
+    "pipe": ("BEAM GENERAL SECTION", "PIPE\n5., 1.", 5.499948e-05, 5.499948e-05),
+    "box": ("BEAM GENERAL SECTION", "BOX\n8., 12., 1., 1., 1., 1.", 2.484669e-05, 4.864970e-05),
+}
+
+
+def cantilever_of_calculix(card, shape, dof):
+    """A deck as CalculiX runs it."""
+    nodes = "".join(f"{i + 1}, {100 * i / 80!r}, 0., 0.\n" for i in range(81))
+    elements = "".join(f"{e + 1}, {2 * e + 1}, {2 * e + 2}, {2 * e + 3}\n" for e in range(40))
+    return (
+        f"*NODE, NSET=NALL\n{nodes}*ELEMENT, TYPE=B32R, ELSET=EALL\n{elements}*NSET, NSET=TIP\n 81\n*BOUNDARY\n1, 1, 6\n"
+        f"*MATERIAL, NAME=STEEL\n*ELASTIC, TYPE=ISO\n210000., 0.3\n*{card}, ELSET=EALL, MATERIAL=STEEL, SECTION={shape}\n"
+        f"0., 0., 1.\n*STEP\n*STATIC\n*CLOAD\n81, {dof}, 0.01\n*NODE PRINT, NSET=TIP\nU\n*EL PRINT, ELSET=EALL, FREQUENCY=9\nS\n"
+        "*END STEP\n"
+    )
+
+
+@pytest.mark.parametrize("dof", [2, 3])
+@pytest.mark.parametrize("shape", [name for name, case in CALCULIX.items() if case[2]])
+def test_cantilevers_of_calculix(convert, litz, tmp_path, shape, dof):
+    card, data, *sags = CALCULIX[shape]
+    done, _ = convert(cantilever_of_calculix(card, data, dof), "--dialect", "ccx")
+    assert done.returncode == 0, done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    sag = Results(tmp_path / "out").field("displacement")[80, dof - 1]
+    # CalculiX expands a beam to solids, which cannot contract at the clamp, and integrates over the pipe: with 20 elements
+    # it is 0.25 % off its own values of 40, and the thin-walled ones are up to 1.1 % stiffer than beam theory
+    assert sag == pytest.approx(sags[dof - 2], rel=0.012)
+
+
+def test_a_side_that_is_left_out_is_that_of_a_square_in_calculix(convert, litz, tmp_path):
+    card, data, *_ = CALCULIX["square"]
+    assert convert(cantilever_of_calculix(card, data, 3), "--dialect", "ccx")[0].returncode == 0
+    assert litz("run", "new.inp", "-o", "out", cwd=tmp_path).returncode == 0
+    # deflection by bending and by shear, 12 + 11 nu over 10 (1 + nu)
+    expected = 0.01 * 100**3 / (3 * 210000 * 6**4 / 12) + 0.01 * 100 / (210000 / 2.6 * 36 * 13 / 15.3)
+    # the error of 80 linear elements, 1 over 4 times 80^2
+    assert Results(tmp_path / "out").field("displacement")[80, 2] == pytest.approx(expected, rel=5e-5)
