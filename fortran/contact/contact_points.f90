@@ -166,6 +166,9 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
+      !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a point of a line per
+      !> length [N/m]
+      real(dp) :: felt_force = 0
       !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
       !> lens the same, and how much deeper the lens is than the place [m]
       real(dp) :: deepest = 0, lens_depth = 0

@@ -9,7 +9,7 @@ module litz_dents
    use litz_contact_points, only: contact_point_t, contact_set_t
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
-   use litz_law_input, only: wire_pair_t
+   use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_model, only: model_t
    use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
    use litz_normal_law, only: normal_law_t
@@ -50,6 +50,7 @@ contains
                whole%weight = 1
                call apply_normal_law(model, elements, whole)
                point%yielding_force = whole(1)%yielding_force
+               point%felt_force = whole(1)%felt_force
             end if
             dent = point%history%dent
             call follow_dent(law, wires, pair, point, dent)
@@ -110,7 +111,7 @@ contains
 
       climb = 0
       associate (history => point%history)
-         if (.not. (history%closed .and. point%force < below_top*point%weight*history%dent%felt_force())) return
+         if (.not. (history%closed .and. point%force < below_top*point%weight*point%felt_force)) return
          climb = slide_over_dent(law, wires, pair, point, history%dent, [point%arc_bar, point%arc]) &
             - slide_over_dent(law, wires, pair, point, history%dent, history%arc)
       end associate
@@ -144,6 +145,7 @@ contains
                point%found_dent = k
                point%history%dent = left%dents(k)
                point%history%dent%left = part
+               point%history%dent%felt = 0
                point%section_share = point%history%dent%share_of_section(point%section_share)
             end do
          end associate
@@ -211,13 +213,42 @@ contains
 
       dent%dissipation = dent%dissipation + point%yielded
       if (dent%force > 0 .and. point%line_place == 0) dent%left = part_left(law, wires, pair, point, dent)
-      if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt_force()) then
+      dent%felt = felt_here(law, pair, point, dent)
+      if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt) then
          dent%force = point%yielding_force
+         dent%overlap = 0
          dent%arc = [point%arc_bar, point%arc]
          dent%left = 1
          dent%section_share = point%section_share
       end if
+      dent%overlap = max(dent%overlap, -point%gap)
+      dent%felt = felt_here(law, pair, point, dent)
    end subroutine follow_dent
+
+   !> Force of a dent that is felt at the present angle [N], of a place of a line per length [N/m].
+   pure real(dp) function felt_here(law, pair, point, dent) result(felt)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(dent_memory_t), intent(in) :: dent
+      type(contact_point_t) :: there
+      type(yielding_lens_t) :: lens
+      type(dent_t) :: made
+      real(dp) :: unused(2)
+
+      felt = dent%felt_force()
+      if (point%line_place > 0 .or. .not. felt > 0) return
+      if (is_lens(law, point)) then
+         there = point
+         there%history%dent = dent
+         there%line = line_of_point(pair, there)
+         lens = lens_of_wires(law, pair, there)
+         felt = lens%felt
+      else
+         call dent_here(law, pair, point, dent%at_any_angle(), made, unused)
+         if (made%force > 0) felt = made%force
+      end if
+   end function felt_here
 
    !> What results show of a dent.
    pure subroutine show_dent(law, pair, dent, point)
@@ -230,20 +261,20 @@ contains
       type(dent_t) :: made
       real(dp) :: half_axes(2)
 
-      point%largest_force = dent%felt_force()
+      point%largest_force = dent%felt
       point%yield_dissipation = dent%dissipation
       there = point
       there%history%dent = dent
       if (point%line_place > 0) then
          call show_place(law, pair, there, point)
-      else if (is_lens(law, point) .and. dent%felt_force() > 0) then
+      else if (is_lens(law, point) .and. dent%felt > 0) then
          there%line = line_of_point(pair, there)
          lens = lens_of_wires(law, pair, there)
          point%deepest = lens%deepest
          point%dent = depth_of_lens(lens)
          point%largest_semi_major = sqrt(2*sum(pair%radius)*lens%deepest)/point%law_sine
       else
-         call dent_here(law, pair, point, point%largest_force, made, half_axes)
+         call dent_here(law, pair, point, dent%at_any_angle(), made, half_axes)
          point%deepest = made%overlap
          point%dent = made%depth
          point%largest_semi_major = half_axes(1)
@@ -271,13 +302,12 @@ contains
       point%largest_semi_major = now%yielding_place%dent%half_width
    end subroutine show_place
 
-   !> The dent of a force at the present angle; all 0 where there is no force, or the wires are parallel.
-   pure subroutine dent_here(law, pair, point, force, dent, half_axes)
+   !> The dent at the present angle; all 0 where there is no force, or the wires are parallel.
+   pure subroutine dent_here(law, pair, point, earlier, dent, half_axes)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      !> [N]
-      real(dp), intent(in) :: force
+      type(earlier_dent_t), intent(in) :: earlier
       type(dent_t), intent(out) :: dent
       !> Of its spot, the longer one first (2) [m]
       real(dp), intent(out) :: half_axes(2)
@@ -287,7 +317,7 @@ contains
       half_axes = 0
       call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
       if (info /= hertz_ok) return
-      dent = dent_of_wires(law, pair, ellipse, force)
+      dent = dent_of_wires(law, pair, ellipse, earlier)
       half_axes = sqrt(dent%area/(pi*ellipse%ratio))*[1.0_dp, ellipse%ratio]
    end subroutine dent_here
 
@@ -319,7 +349,7 @@ contains
       real(dp) :: moved(2), slip(2), along(2), half_axes(2)
 
       slide = -1
-      call dent_here(law, pair, point, dent%force, made, half_axes)
+      call dent_here(law, pair, point, earlier_dent_t(dent%force, dent%overlap), made, half_axes)
       if (.not. made%area > 0) return
       moved = arc_from_to(dent%arc, arc, wires%circumference(wires%wire([point%element_bar, point%element])))
       moved = moved*wires%direction([point%element_bar, point%element])

@@ -279,7 +279,6 @@ contains
             call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
             if (i > 0) call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, &
                point)
-            if (point%in_lens .and. bend > 0) point%lens_depth = tilt**2/(2*bend)
             ! the lens is still open
             if (i == 0 .and. bend > 0) then
                if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
@@ -385,6 +384,8 @@ contains
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap
       point%deepest = crossing%deepest
+      ! of straight wires slope^2/(2 bend), on one that bends not so
+      point%lens_depth = max(0.0_dp, point%gap - crossing%gap)
       point%spot_section = max(point%spot_section, share_of_kept(crossing, radius))
    end subroutine share_with
 

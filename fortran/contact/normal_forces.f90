@@ -10,7 +10,7 @@ module litz_normal_forces
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
-   use litz_law_input, only: wire_pair_t
+   use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
@@ -19,7 +19,8 @@ module litz_normal_forces
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
-   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, overlap_of_yielding_lens
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, overlap_of_yielding_lens, &
+      with_dent
    use litz_yielding_place, only: place_state_t, state_of_place, place_force
    use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    use litz_yielding_wires, only: lens_of_wires, place_of_wires, depth_of_lens
@@ -145,6 +146,7 @@ contains
          point%yielding = yielding_state_t()
          point%yielded = 0
          point%yielding_force = 0
+         point%felt_force = point%history%dent%felt_force()
          if (.not. point%weight > 0) return
          pair = wires_of(model, elements, point)
          if (point%line_place > 0) then
@@ -154,17 +156,19 @@ contains
             return
          end if
          point%deepest = 0
-         if (.not. point%history%dent%felt_force() > 0) return
+         if (.not. point%felt_force > 0) return
          if (is_lens(law, point)) then
             point%line = line_of_point(pair, point)
             lens = lens_of_wires(law, pair, point)
+            point%felt_force = lens%felt
             point%deepest = lens%deepest
             point%dent_depth = depth_of_lens(lens)
             return
          end if
          call find_ellipse(pair, point)
          if (.not. point%ellipse%semi_major > 0) return
-         dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%felt_force())
+         dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%at_any_angle())
+         point%felt_force = dent%force
          point%deepest = dent%overlap
          point%dent_depth = dent%depth
       end associate
@@ -182,15 +186,29 @@ contains
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
+      type(yielding_state_t) :: before
       real(dp) :: dissipated
 
       if (.not. point%closed) return
-      call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%felt_force(), point%gap, &
+      call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%at_any_angle(), point%gap, &
          law%spot_memory, point%yielding, dissipated)
       if (point%yielding%area > pi*(widest_spot*minval(pair%radius))**2) point%law_status = law_compacts
+      ! less the energy by which turning out of the dent presses the wires
+      if (has_turned_in_dent(point)) then
+         call state_of_wires(law%normal, pair, point%ellipse, point%history%dent%at_last_angle(), point%gap, &
+            law%spot_memory, before, dissipated)
+         dissipated = dissipated + before%energy - point%yielding%energy
+      end if
       point%yielded = point%weight*dissipated
       point%yielding_force = point%yielding%force
    end subroutine follow_yielding
+
+   !> The dent that is felt is not that at the last angle.
+   pure logical function has_turned_in_dent(point)
+      type(contact_point_t), intent(in) :: point
+
+      has_turned_in_dent = point%history%dent%felt > 0 .and. abs(point%felt_force - point%history%dent%felt) > 0
+   end function has_turned_in_dent
 
    !> A crossing whose force is the integral of the law per length over its lens.
    pure logical function is_lens(law, point)
@@ -266,13 +284,13 @@ contains
       type(force_of_gap_t) :: base
       real(dp) :: weight
 
-      base = force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%felt_force())
+      base = force_at_gap(law, point%gap, pair, point%ellipse, point%history%dent%at_any_angle())
       call press(law, pair, base, point)
       if (.not. point%active) return
       weight = point%weight*point%cut
       point%mixed_force = point%mixed_force/weight
       call linearise(law, point%gap, first_overlap*minval(pair%radius), pair, point%ellipse, point%mixed_force, &
-         point%stiffness, point%iteration_force, point%at_mixed, point%history%dent%felt_force(), point%dent_depth)
+         point%stiffness, point%iteration_force, point%at_mixed, point%history%dent%at_any_angle(), point%dent_depth)
       point%at_mixed = scaled(point%at_mixed, weight)
       call follow_cut(weight, point)
    end subroutine press_point
@@ -351,7 +369,7 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(inout) :: point
       type(yielding_lens_t) :: lens
-      type(lens_state_t) :: state
+      type(lens_state_t) :: state, before
       real(dp) :: overlap, weight
 
       lens = lens_of_wires(normal, pair, point)
@@ -361,6 +379,10 @@ contains
       if (point%closed) then
          point%yielding = state%spot
          point%yielded = point%weight*state%dissipated
+         if (has_turned_in_dent(point)) then
+            before = state_of_lens(with_dent(lens, point%history%dent%at_last_angle()), -point%gap)
+            point%yielded = point%weight*(before%dissipated + before%law%energy - state%law%energy)
+         end if
          point%yielding_force = state%law%force
       end if
       if (.not. point%active) return
@@ -392,7 +414,10 @@ contains
       !> In: at the angle of the point
       type(force_of_gap_t), intent(inout) :: law
       type(contact_point_t) :: turned
-      type(lens_state_t) :: state(2)
+      type(yielding_lens_t) :: lens(2)
+      !> With the dent that is felt at either angle, at the angle of the point, and at the opposite one
+      type(lens_state_t) :: own(2), same(2), other(2)
+      type(earlier_dent_t) :: felt
       real(dp) :: change
       integer :: side
 
@@ -402,11 +427,24 @@ contains
          turned%law_angle = point%law_angle + (2*side - 3)*change
          turned%law_sine = sin(turned%law_angle)
          turned%line = line_of_point(pair, turned)
-         state(side) = state_of_lens(lens_of_wires(normal, pair, turned), overlap)
+         lens(side) = lens_of_wires(normal, pair, turned)
+         own(side) = state_of_lens(lens(side), overlap)
       end do
-      law%dforce_dangle = (state(2)%law%force - state(1)%law%force)/(2*change)
-      law%denergy_dangle = (state(2)%law%energy - state(1)%law%energy)/(2*change)
-      law%d2energy_dangle2 = (state(2)%law%energy - 2*law%energy + state(1)%law%energy)/change**2
+      law%dforce_dangle = (own(2)%law%force - own(1)%law%force)/(2*change)
+      same = own
+      ! the torque is that of the dent as it is
+      if (abs(lens(2)%felt - lens(1)%felt) > 0) then
+         felt = earlier_dent_t(force=point%felt_force)
+         do side = 1, 2
+            same(side) = state_of_lens(with_dent(lens(side), felt), overlap)
+            other(side) = state_of_lens(with_dent(lens(side), earlier_dent_t(force=lens(3 - side)%felt)), overlap)
+         end do
+         law%growth = (same(2)%law%force - same(1)%law%force)/(2*change) - law%dforce_dangle
+      end if
+      law%denergy_dangle = (same(2)%law%energy - same(1)%law%energy)/(2*change)
+      law%d2energy_dangle2 = (same(2)%law%energy - 2*law%energy + same(1)%law%energy)/change**2
+      if (abs(lens(2)%felt - lens(1)%felt) > 0) law%d2energy_dangle2 = law%d2energy_dangle2 &
+         + (own(2)%law%energy + own(1)%law%energy - other(2)%law%energy - other(1)%law%energy)/(2*change)**2
    end subroutine turn_lens
 
    !> A point of a line contact: the law per length times the length that it stands for, linearised about the gap that

@@ -47,7 +47,7 @@ contains
          found%elastic_stiffness = share*found%elastic_stiffness
          return
       else
-         found = overlap_at_force(law, force/weight, pair, point%ellipse, point%history%dent%felt_force())
+         found = overlap_at_force(law, force/weight, pair, point%ellipse, point%history%dent%at_any_angle())
       end if
       found%stiffness = weight*found%stiffness
       found%elastic_stiffness = weight*found%elastic_stiffness

@@ -7,7 +7,7 @@ module litz_ploughing
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: dent_memory_t
    use litz_contact_points, only: contact_point_t
-   use litz_law_input, only: wire_pair_t
+   use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_model, only: interaction_t
    use litz_normal_law, only: normal_law_t
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
@@ -54,12 +54,12 @@ contains
       real(dp) :: unused, rate
 
       ratio = 0
-      if (.not. (point%closed .and. dent%felt_force() > 0 .and. slide < 1)) return
-      call state_of_wires(law, pair, point%ellipse, dent%felt_force(), point%gap, .false., state, unused)
+      if (.not. (point%closed .and. dent%felt > 0 .and. slide < 1)) return
+      call state_of_wires(law, pair, point%ellipse, dent%at_any_angle(), point%gap, .false., state, unused)
       if (.not. (state%force > 0 .and. state%denergy_dlargest < 0)) return
-      made = dent_of_wires(law, pair, point%ellipse, dent%force)
+      made = dent_of_wires(law, pair, point%ellipse, earlier_dent_t(dent%force, dent%overlap))
       rate = 2/pi*sqrt((1 - slide)*(1 + slide))/sqrt(made%area/pi)                         ! -d(eta)/du, t = u/(2 a)
-      ratio = -state%denergy_dlargest*dent%force*rate/state%force
+      ratio = -state%denergy_dlargest*made%force*rate/state%force
    end function ploughing_coefficient
 
    !> Work that takes the contact from what it felt of its dent in the increment to what it will feel in the next one,
@@ -76,14 +76,14 @@ contains
       real(dp) :: dissipated
 
       work = 0
-      associate (felt => point%history%dent%felt_force())
-         if (.not. felt > 0 .or. .not. point%weight > 0 .or. .not. abs(after%felt_force() - felt) > 0) return
+      associate (felt => point%felt_force)
+         if (.not. felt > 0 .or. .not. point%weight > 0 .or. .not. abs(after%felt - felt) > 0) return
          ! what has loaded the dent further is where the next increment begins
          if (point%closed .and. point%force >= point%weight*felt) return
-         made = dent_of_wires(law, pair, point%ellipse, felt)
+         made = dent_of_wires(law, pair, point%ellipse, earlier_dent_t(felt))
          if (.not. made%evenness > 0) return
       end associate
-      call state_of_wires(law, pair, point%ellipse, after%felt_force(), point%gap, .false., state, dissipated)
+      call state_of_wires(law, pair, point%ellipse, after%at_any_angle(), point%gap, .false., state, dissipated)
       work = point%weight*(state%energy + dissipated) - point%at_gap%energy
    end function work_of_slide
 

@@ -8,7 +8,7 @@ module litz_yielding_wires
    use litz_hertz, only: hertz_ellipse
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: normal_law_t
-   use litz_yielding_lens, only: yielding_lens_t, remember_force
+   use litz_yielding_lens, only: yielding_lens_t, with_dent
    use litz_yielding_line, only: yielding_line, line_dent, line_dent_t, line_state_t, line_state_at_overlap
    use litz_yielding_place, only: yielding_place_t
    use litz_yielding_spot, only: yielding_crossing
@@ -32,7 +32,7 @@ contains
          unused_info)
       lens%sine = point%law_sine
       lens%strip_share = point%section_share
-      call remember_force(point%history%dent%felt_force(), lens)
+      lens = with_dent(lens, point%history%dent%at_any_angle())
    end function lens_of_wires
 
    !> A place of a line. In the lens of a crossing it has been pressed as deep as that tells, too.

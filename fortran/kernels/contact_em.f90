@@ -12,7 +12,7 @@ module litz_contact_em
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_dent_spot, only: spot_of_state
    use litz_kinds, only: dp, pi
-   use litz_law_input, only: wire_pair_t
+   use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_spot_law, only: spot_law_t, contact_spot_t, contact_spot, spot_ok, spot_bad_data
@@ -214,7 +214,7 @@ contains
       end if
       info = contact_unknown_law
       if (.not. laws%normal%exists()) return
-      normal = force_at_gap(laws%normal, contact%gap, wires, ellipse, laws%dent_force)
+      normal = force_at_gap(laws%normal, contact%gap, wires, ellipse, earlier_dent_t(laws%dent_force))
       contact%force = normal%force
       contact%energy = normal%energy
 
@@ -264,11 +264,12 @@ contains
       real(dp) :: unused
 
       contact%largest_force = max(contact%force, laws%dent_force)
-      dent = dent_of_wires(laws%normal, wires, ellipse, contact%largest_force)
+      dent = dent_of_wires(laws%normal, wires, ellipse, earlier_dent_t(contact%largest_force))
       contact%dent = dent%depth
       info = contact_open
       if (.not. contact%force > 0) return
-      call state_of_wires(laws%normal, wires, ellipse, laws%dent_force, contact%gap, laws%keeps_spot, state, unused)
+      call state_of_wires(laws%normal, wires, ellipse, earlier_dent_t(laws%dent_force), contact%gap, laws%keeps_spot, &
+         state, unused)
       info = contact_compacts
       if (dent%area > pi*(widest_spot*minval(wires%radius))**2) return
       if (laws%spot%exists() .and. laws%spot%is_of_mechanics) then

@@ -5,6 +5,7 @@
 module litz_contact_history
    use litz_kinds, only: dp
    use litz_friction_law, only: friction_law_t
+   use litz_law_input, only: earlier_dent_t
    implicit none
    private
    public :: contact_history_t, dent_memory_t, left_dents_t, advanced_history, spot_of_history, force_of_spot
@@ -13,14 +14,18 @@ module litz_contact_history
    type :: dent_memory_t
       !> Largest force, whatever the share of the contact [N]; 0: none. The arc lengths where it acted (2) [m]
       real(dp) :: force = 0, arc(2) = 0
+      !> Deepest overlap since then [m]
+      real(dp) :: overlap = 0
       !> What the contact still feels of this force, which has slid off a part of the dent [-]
       real(dp) :: left = 1
+      !> Force of the dent that is felt at the last angle, and as the contact has slid, [N] or [N/m]
+      real(dp) :: felt = 0
       !> What yielding has dissipated [J]
       real(dp) :: dissipation = 0
       !> How far the section of the wires was its far field when it was made [-]
       real(dp) :: section_share = 0
    contains
-      procedure :: felt_force
+      procedure :: felt_force, at_any_angle, at_last_angle
       procedure :: share_of_section
    end type dent_memory_t
 
@@ -64,12 +69,26 @@ module litz_contact_history
 
 contains
 
-   !> Largest force of the dent as an increment feels it [N].
+   !> Largest force of the dent as an increment feels it at any angle [N], of a place per length [N/m].
    elemental real(dp) function felt_force(self)
       class(dent_memory_t), intent(in) :: self
 
       felt_force = self%left*self%force
    end function felt_force
+
+   !> What a crossing remembers of its dent.
+   elemental type(earlier_dent_t) function at_any_angle(self) result(dent)
+      class(dent_memory_t), intent(in) :: self
+
+      dent = earlier_dent_t(self%force, self%overlap, self%left)
+   end function at_any_angle
+
+   !> The dent as the crossing has felt it last.
+   elemental type(earlier_dent_t) function at_last_angle(self) result(dent)
+      class(dent_memory_t), intent(in) :: self
+
+      dent = earlier_dent_t(force=self%felt)
+   end function at_last_angle
 
    !> How far the section of the wires counts at least where it counts this far at the present overlap: metal that has
    !> yielded keeps the far field with which it did [-]

@@ -5,7 +5,7 @@ module litz_law_input
    use litz_law_words, only: law_words_t, max_fields
    implicit none
    private
-   public :: wire_pair_t, law_input_t, tell
+   public :: wire_pair_t, law_input_t, earlier_dent_t, tell
 
    !> The two wires: barred, unbarred.
    type :: wire_pair_t
@@ -18,6 +18,17 @@ module litz_law_input
       real(dp) :: dresistivity(2) = 0, dtemperature(2) = 0
    end type wire_pair_t
 
+   !> What wires that yield have been pressed to before.
+   type :: earlier_dent_t
+      !> Largest force [N]; 0: none
+      real(dp) :: force = 0
+      !> Deepest overlap [m]: at any angle the dent is that of the largest force or, if that is smaller, of the force of
+      !> first loading to this overlap. No place of it has been pressed deeper
+      real(dp) :: overlap = huge(1.0_dp)
+      !> What is felt of the force, as the contact has slid off a part of the dent [-]
+      real(dp) :: left = 1
+   end type earlier_dent_t
+
    type :: law_input_t
       !> Gap between the surfaces [m], negative in contact; contact force [N], positive in contact. A law is asked about
       !> one of them, the other is 0
@@ -28,8 +39,9 @@ module litz_law_input
       type(wire_pair_t) :: wires
       !> At the present angle, where the law uses it
       type(hertz_ellipse_t) :: ellipse
-      !> Of metal that yields: yield stress and hardness [Pa], and the largest force of the dent [N]
-      real(dp) :: yield_stress = 0, hardness = 0, dent_force = 0
+      !> Of metal that yields: yield stress and hardness [Pa], and its dent
+      real(dp) :: yield_stress = 0, hardness = 0
+      type(earlier_dent_t) :: dent
    end type law_input_t
 
 contains

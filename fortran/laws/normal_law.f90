@@ -4,7 +4,7 @@
 module litz_normal_law
    use litz_kinds, only: dp
    use litz_hertz, only: hertz_ellipse_t
-   use litz_law_input, only: law_input_t, wire_pair_t, tell
+   use litz_law_input, only: earlier_dent_t, law_input_t, wire_pair_t, tell
    use litz_law_words, only: law_words_t
    implicit none
    private
@@ -77,51 +77,51 @@ module litz_normal_law
 contains
 
    !> Force, its derivatives and the energy at a gap; all 0 when that is open.
-   pure function force_at_gap(law, gap, wires, ellipse, dent_force) result(found)
+   pure function force_at_gap(law, gap, wires, ellipse, dent) result(found)
       type(normal_law_t), intent(in) :: law
       !> Gap between the surfaces [m], negative in contact
       real(dp), intent(in) :: gap
       type(wire_pair_t), intent(in) :: wires
       !> At the present angle; looked at by laws that use it
       type(hertz_ellipse_t), intent(in) :: ellipse
-      !> Largest force of the dent of wires that yield [N]; absent: none
-      real(dp), intent(in), optional :: dent_force
+      !> Of wires that yield; absent: none
+      type(earlier_dent_t), intent(in), optional :: dent
       type(force_of_gap_t) :: found
       type(law_input_t) :: given
 
       if (gap >= 0) return
       call tell(law, wires, ellipse, given, gap=gap)
-      call tell_of_yielding(law, given, dent_force)
+      call tell_of_yielding(law, given, dent)
       found = law%force_of_gap(given)
    end function force_at_gap
 
    !> Overlap and stiffness at a force.
-   pure function overlap_at_force(law, force, wires, ellipse, dent_force) result(found)
+   pure function overlap_at_force(law, force, wires, ellipse, dent) result(found)
       type(normal_law_t), intent(in) :: law
       !> Contact force [N]; what is negative counts as 0
       real(dp), intent(in) :: force
       type(wire_pair_t), intent(in) :: wires
       !> At the present angle; looked at by laws that use it
       type(hertz_ellipse_t), intent(in) :: ellipse
-      !> Largest force of the dent of wires that yield [N]; absent: none
-      real(dp), intent(in), optional :: dent_force
+      !> Of wires that yield; absent: none
+      type(earlier_dent_t), intent(in), optional :: dent
       type(overlap_of_force_t) :: found
       type(law_input_t) :: given
 
       call tell(law, wires, ellipse, given, force=max(force, 0.0_dp))
-      call tell_of_yielding(law, given, dent_force)
+      call tell_of_yielding(law, given, dent)
       found = law%overlap_of_force(given)
    end function overlap_at_force
 
-   pure subroutine tell_of_yielding(law, given, dent_force)
+   pure subroutine tell_of_yielding(law, given, dent)
       type(normal_law_t), intent(in) :: law
       type(law_input_t), intent(inout) :: given
-      !> [N]; absent: there is no dent
-      real(dp), intent(in), optional :: dent_force
+      !> Absent: there is none
+      type(earlier_dent_t), intent(in), optional :: dent
 
       given%yield_stress = law%yield_stress
       given%hardness = law%hardness
-      if (present(dent_force)) given%dent_force = dent_force
+      if (present(dent)) given%dent = dent
    end subroutine tell_of_yielding
 
    !> The straight line that an iteration follows: `F = iteration_force - stiffness dg` (theory section 9).
@@ -129,7 +129,7 @@ contains
    !> `delta(F)` is close to a straight line where `F(delta)` is steep, so that a law which is not straight is
    !> linearised about the force that the last iteration predicted.
    pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, &
-      at_mixed, dent_force, dent_depth)
+      at_mixed, dent, dent_depth)
       type(normal_law_t), intent(in) :: law
       !> Gap [m], and largest overlap about which a contact is linearised that has had no force [m]
       real(dp), intent(in) :: gap, first_overlap
@@ -141,8 +141,10 @@ contains
       real(dp), intent(out) :: stiffness, iteration_force
       !> The law at the overlap with this force; of a straight line, which does not depend on the angle, nothing
       type(force_of_gap_t), intent(out) :: at_mixed
-      !> Of the dent of wires that yield: largest force [N], and overlap beyond which they touch in it [m]; 0: none
-      real(dp), intent(in) :: dent_force, dent_depth
+      !> Of wires that yield
+      type(earlier_dent_t), intent(in) :: dent
+      !> Overlap beyond which they touch in it [m]; 0: there is none
+      real(dp), intent(in) :: dent_depth
       type(overlap_of_force_t) :: found
       type(force_of_gap_t) :: at_first
       real(dp) :: first
@@ -155,13 +157,13 @@ contains
       end if
       if (mixed_force <= 0) then
          first = -dent_depth - first_overlap
-         at_first = force_at_gap(law, merge(max(gap, first), first, gap < -dent_depth), wires, ellipse, dent_force)
+         at_first = force_at_gap(law, merge(max(gap, first), first, gap < -dent_depth), wires, ellipse, dent)
          mixed_force = at_first%force
       end if
-      found = overlap_at_force(law, mixed_force, wires, ellipse, dent_force)
+      found = overlap_at_force(law, mixed_force, wires, ellipse, dent)
       stiffness = found%stiffness
       iteration_force = mixed_force + stiffness*(-gap - found%overlap)
-      at_mixed = force_at_gap(law, -found%overlap, wires, ellipse, dent_force)
+      at_mixed = force_at_gap(law, -found%overlap, wires, ellipse, dent)
    end subroutine linearise
 
    !> eps_l of `f = eps_l |g|` along a line [N/m^2]; 0: it has none.

@@ -6,6 +6,7 @@
 module litz_yielding_lens
    use litz_kinds, only: dp
    use litz_hertz, only: hertz_ellipse_t
+   use litz_law_input, only: earlier_dent_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy, gauss_depth, gauss_weight, n_depths
    use litz_line_law, only: line_wires_t
    use litz_normal_law, only: force_of_gap_t, overlap_of_force_t
@@ -15,7 +16,7 @@ module litz_yielding_lens
    use litz_yielding_spot, only: yielding_t, dent_t, dent_of_force, yielding_state_t, state_at_overlap
    implicit none
    private
-   public :: yielding_lens_t, lens_state_t, remember_force, state_of_lens, overlap_of_yielding_lens, &
+   public :: yielding_lens_t, lens_state_t, with_dent, state_of_lens, overlap_of_yielding_lens, &
       pressure_of_lens, lens_at_force
 
    !> The overlap at a force is known to this part of it
@@ -33,6 +34,8 @@ module litz_yielding_lens
       !> Deepest overlap so far [m], 0: none, and the dent of the spot then
       real(dp) :: deepest = 0
       type(dent_t) :: dent
+      !> Force whose dent is felt [N]
+      real(dp) :: felt = 0
    end type yielding_lens_t
 
    type :: lens_state_t
@@ -60,21 +63,26 @@ contains
       virgin = lens
       virgin%deepest = 0
       virgin%dent = dent_t()
+      virgin%felt = 0
    end function virgin_lens
 
-   !> The dents of a force that wires have loaded up to.
-   pure subroutine remember_force(force, lens)
-      !> Of the whole contact [N]; what is not positive makes none
-      real(dp), intent(in) :: force
-      type(yielding_lens_t), intent(inout) :: lens
+   !> The lens with the dents that its wires have been pressed to, at the present angle.
+   pure type(yielding_lens_t) function with_dent(given, earlier) result(lens)
+      !> Whatever its dent
+      type(yielding_lens_t), intent(in) :: given
+      !> Of the whole contact
+      type(earlier_dent_t), intent(in) :: earlier
       type(yielding_state_t) :: spot
 
-      lens = virgin_lens(lens)
-      if (.not. force > 0) return
-      lens%deepest = overlap_of_yielding_lens(virgin_lens(lens), force)
+      lens = virgin_lens(given)
+      lens%felt = earlier%left*earlier%force
+      if (.not. lens%felt > 0) return
+      if (earlier%overlap < huge(lens%felt)) lens%felt = earlier%left*min(earlier%force, force_of_lens(lens, &
+         earlier%overlap))
+      lens%deepest = overlap_of_yielding_lens(lens, lens%felt)
       spot = state_at_overlap(lens%spot, dent_t(), lens%deepest)
       lens%dent = dent_of_force(lens%spot, spot%force)
-   end subroutine remember_force
+   end function with_dent
 
    !> Pressure in the middle of strip and spot at the deepest place [Pa].
    pure real(dp) function pressure_of_lens(lens, overlap) result(pressure)

@@ -246,16 +246,17 @@ contains
       integer :: i
 
       if (.not. allocated(left%dents)) allocate (left%wires(3, 0), left%dents(0))
-      allocate (numbers(6, size(left%dents)))
+      allocate (numbers(8, size(left%dents)))
       do i = 1, size(left%dents)
          dent = left%dents(i)
-         numbers(:, i) = [dent%force, dent%arc, dent%left, dent%dissipation, dent%section_share]
+         numbers(:, i) = [dent%force, dent%arc, dent%overlap, dent%left, dent%felt, &
+            dent%dissipation, dent%section_share]
       end do
       call arrays%array('left_dent_wires', left%wires, 3, error)
-      call arrays%array('left_dents', numbers, error, 6)
+      call arrays%array('left_dents', numbers, error, 8)
       if (allocated(error) .or. arrays%mode /= reading) return
-      left%dents = [(dent_memory_t(numbers(1, i), numbers(2:3, i), numbers(4, i), numbers(5, i), numbers(6, i)), &
-         i=1, size(numbers, 2))]
+      left%dents = [(dent_memory_t(numbers(1, i), numbers(2:3, i), numbers(4, i), numbers(5, i), numbers(6, i), &
+         numbers(7, i), numbers(8, i)), i=1, size(numbers, 2))]
    end subroutine exchange_left_dents
 
    !> What results show of the contacts.

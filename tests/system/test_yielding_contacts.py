@@ -230,6 +230,79 @@ def test_what_climbing_out_of_a_dent_takes_is_in_the_balance(run):
     assert errors[0] / errors[1] > 1.7
 
 
+def carried(degrees, *steps):
+    """The same, with the upper wire carried by a reference node over the contact."""
+    deck = held(*steps, degrees=degrees)
+    assert deck.count(" UPPER, 1, 6\n") == 1
+    return deck.replace(" UPPER, 1, 6\n", "").replace(
+        "*BOUNDARY\n",
+        f"*NODE, NSET=HOLDER\n 9999, 0, 0, {2 * RADIUS}\n*RIGID BODY, TIE NSET=UPPER, REF NODE=9999\n*BOUNDARY\n", 1
+    )  # fmt: skip
+
+
+def turn(z, degrees=0.0, *, increments=10):
+    """A step that moves the holder down by `z` and turns it about the normal by `degrees` in all."""
+    return f"""*STEP, INC=1000
+*STATIC, DIRECT
+ {1 / increments!r}, 1
+*BOUNDARY
+ 9999, 1, 2
+ 9999, 3, 3, {-z:.17g}
+ 9999, 4, 5
+ 9999, 6, 6, {np.radians(degrees):.17g}
+*NODE PRINT, NSET=HOLDER
+ RF
+*ENERGY PRINT
+*END STEP
+"""
+
+
+@pytest.mark.parametrize("increments", [2, 20])
+@pytest.mark.parametrize(("first", "last"), [(45, 80), (20, 60), (80, 45)])
+def test_wires_that_are_turned_have_not_been_pressed_deeper(run, first, last, increments):
+    """At the overlap at which they have yielded: at any angle the force is that of wires which are pressed so deep there,
+    whether the spot gets shorter or longer."""
+    process, results = run(carried(first, turn(2e-6), turn(2e-6, last - first, increments=increments)))
+    assert process.returncode == 0, process.stderr
+    contact = contacts(results)[-1]
+    assert contact["angle"] == pytest.approx(np.radians(last), rel=1e-9)
+    assert contact["force"] == pytest.approx(law(2e-6, degrees=last).force, rel=1e-9)
+    assert contact["dent"] == pytest.approx(law(2e-6, degrees=last).dent, rel=1e-9)
+
+
+def test_wires_that_turn_back_feel_their_dent_as_before(run):
+    """Let go by a tenth, turned to where the spot is shorter, and back: the force is again that of the largest force."""
+    process, results = run(
+        carried(45, turn(2e-6), turn(1.8e-6), turn(1.8e-6, 35, increments=5), turn(1.8e-6, 0, increments=5))
+    )
+    assert process.returncode == 0, process.stderr
+    found = contacts(results)
+    largest = law(2e-6, degrees=45).force
+    there = law(1.8e-6, law(2e-6, degrees=80).force, degrees=80)
+    assert found[25]["force"] == pytest.approx(there.force, rel=1e-9)
+    assert found[25]["resistance"] == pytest.approx(RESISTIVITY / (4 * there.disc_radius), rel=1e-9)
+    assert found[-1]["force"] == pytest.approx(law(1.8e-6, largest, degrees=45).force, rel=1e-9)
+    assert found[-1]["largest_force"] == pytest.approx(largest, rel=1e-9)
+
+
+@pytest.mark.parametrize("back", [2e-6, 1.7e-6])
+def test_turning_in_a_dent_is_in_the_balance_of_energy(run, back):
+    """Turned to where the spot is shorter, and back: work = elastic energy + ALLPD to first order in the increments, and in the
+    end ALLPD is what it was."""
+    errors = []
+    for increments in (10, 20):
+        process, results = run(
+            carried(45, turn(2e-6), turn(back), turn(back, 35, increments=increments),
+                    turn(back, 0, increments=increments))
+        )  # fmt: skip
+        assert process.returncode == 0, process.stderr
+        total, made = results.history["ETOTAL"], results.history["ALLPD"]
+        errors.append(np.abs(total - total[20])[21:].max() / made[20])
+    assert errors[1] < 0.01
+    assert errors[0] / errors[1] > 1.7
+    assert made[-1] == pytest.approx(made[20], rel=0.01)
+
+
 def test_leaving_a_dent_in_one_increment_is_warned_of(run):
     """Where the contact lies in its dent; one that makes it anew as it slides may take long increments."""
     along = law(2e-6).semi_major

@@ -217,3 +217,31 @@ def test_rigid_surfaces_are_for_wires_that_do_not_yield(run):
     process, _ = run(wires(f"{drum}*CONTACT PAIR, INTERACTION=TOUCH\n LOWER, DRUM\n", to(1e-6)))
     assert process.returncode == 1
     assert "on a rigid surface wires do not yield" in process.stderr
+
+
+@pytest.mark.parametrize(("bend", "angle"), [(10, 8), (15, 20), (15, 30)])
+def test_a_wire_that_is_dragged_over_a_bend_keeps_its_contact(run, bend, angle):
+    """The bend lies in the plane of contact: at the same height the force falls steadily as the wire comes onto the other leg,
+    alike in increments of 0.04 and of 0.02 radii."""
+    radius = COPPER.radius
+    legs = [np.radians(side * bend / 2) for side in (1, -1)]
+    out = np.arange(0, 14, 2) * radius
+    left, right = (np.column_stack([out * np.cos(a), -out * np.sin(abs(a)), 0 * out]) for a in legs)
+    lower = np.concatenate([(left * [-1, 1, 1])[::-1], right[1:]])
+    upper = along(16 * radius, 32, start=-8 * radius, degrees=angle, height=2 * radius) - [radius, 0, 0]
+    guided = "*BOUNDARY\n LOWER, ENCASTRE\n LOWER, 9\n UPPER, 9\n UPPER, 2, 2\n UPPER, 4, 6\n"
+    forces = []
+    for increments in (25, 50):
+        steps = [
+            f"*STEP, INC=1000\n*STATIC, DIRECT\n {1 / n!r}, 1\n*BOUNDARY\n UPPER, 3, 3, {-0.02 * radius}\n"
+            f" UPPER, 1, 1, {x * radius}\n*NODE PRINT, NSET=UPPER, TOTALS=ONLY\n RF\n*END STEP\n"
+            for n, x in ((4, 0), (increments, 1))
+        ]
+        law = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD={300e6}, HARDNESS={950e6}\n"
+        process, results = run(two_wires(lower, upper, guided, *steps, law=law), name=f"drag{increments}")
+        assert process.returncode == 0, process.stderr
+        forces.append(-results.history["RF3 sum UPPER"][4:])
+    coarse, fine = forces
+    assert np.all(np.diff(fine) / fine[:-1] > -0.035)
+    assert np.all(np.diff(fine) / fine[:-1] < 0.02)
+    np.testing.assert_allclose(coarse, fine[::2], rtol=0.03)

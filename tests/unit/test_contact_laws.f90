@@ -6,7 +6,7 @@ program test_contact_laws
    use litz_contact_points, only: contact_set_t, law_bad_data
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
-   use litz_law_input, only: wire_pair_t
+   use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_model, only: model_t
    use litz_normal_forces, only: apply_normal_law
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise, penalty_that_holds
@@ -59,7 +59,7 @@ contains
       mixed_force = 5
       gap = 3.0e-6_dp
       call linearise(normal_law('LINEAR', [penalty]), gap, first_overlap, pair, ellipse, mixed_force, stiffness, &
-         force, at_mixed, 0.0_dp, 0.0_dp)
+         force, at_mixed, earlier_dent_t(), 0.0_dp)
       call expect(near(stiffness, penalty) .and. near(force, -penalty*gap), 'the line goes on beyond the touch')
       call expect(near(mixed_force, 5.0_dp), 'the predicted force stays')
    end subroutine test_a_penalty_is_its_own_straight_line
@@ -73,7 +73,7 @@ contains
       touch = force_at_gap(normal_law('HERTZ'), -overlap, pair, ellipse)
       mixed_force = touch%force
       call linearise(normal_law('HERTZ'), gap, first_overlap, pair, ellipse, mixed_force, stiffness, force, &
-            at_mixed, 0.0_dp, 0.0_dp)
+            at_mixed, earlier_dent_t(), 0.0_dp)
       call expect(near(stiffness, -touch%dforce_dgap), 'slope of the law')
       call expect(near(force, touch%force + touch%dforce_dgap*(gap + overlap)), 'tangent of the law')
       call expect(near(at_mixed%denergy_dangle, touch%denergy_dangle), 'torque of the predicted force')
@@ -91,7 +91,7 @@ contains
       do i = 1, size(gaps)
          mixed_force = 0
          call linearise(law, gaps(i), first_overlap, pair, ellipse, mixed_force, stiffness, force, &
-            at_mixed, 0.0_dp, 0.0_dp)
+            at_mixed, earlier_dent_t(), 0.0_dp)
          expected = force_at_gap(law, taken(i), pair, ellipse)
          call expect(near(mixed_force, expected%force), 'force of the first overlap, or of a smaller one')
          call expect(near(stiffness, -expected%dforce_dgap), 'its slope')
@@ -135,10 +135,10 @@ contains
       do i = 1, size(part)
          do k = 1, 2
             call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle + (2*k - 3)*turn, turned, info)
-            sides(k) = force_at_gap(law, -part(i)*overlap, pair, turned, largest)
+            sides(k) = force_at_gap(law, -part(i)*overlap, pair, turned, earlier_dent_t(largest))
          end do
          call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, turned, info)
-         found = force_at_gap(law, -part(i)*overlap, pair, turned, largest)
+         found = force_at_gap(law, -part(i)*overlap, pair, turned, earlier_dent_t(largest))
          call expect(abs((sides(2)%energy - sides(1)%energy)/(2*turn) - found%denergy_dangle) < &
             1.0e-7_dp*found%energy, 'torque on the way back')
       end do
@@ -146,7 +146,7 @@ contains
       found = force_at_gap(law, -overlap, pair, turned)
       do k = 1, 2
          call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle + (2*k - 3)*turn, turned, info)
-         sides(k) = force_at_gap(law, -0.9999_dp*overlap, pair, turned, largest)
+         sides(k) = force_at_gap(law, -0.9999_dp*overlap, pair, turned, earlier_dent_t(largest))
       end do
       call expect(abs((sides(2)%energy - sides(1)%energy)/(2*turn) - found%denergy_dangle) < &
          2.0e-3_dp*abs(found%denergy_dangle), 'torque of the loading')
