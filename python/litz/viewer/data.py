@@ -27,6 +27,8 @@ _DIGITS = 8
 _LINE_RADIUS, _END_RADIUS = 0.3, 0.55
 # Length of a mark, in distances of places
 _END_PART = 0.6
+# How much nearer to the viewer the lines of contact are drawn, in radii of the thicker wire
+_WIRES_BEFORE = 2.2
 
 
 class WebData:
@@ -104,17 +106,17 @@ class WebData:
         contacts = ledger.where(places.zone < 0)
         zones = contact_zones(places, results.unit_labels)
         fields = {name for scalar in self._ranges.values() for name in scalar["fields"]}
-        now, normals, radii = all_spots(results, contacts, on_surfaces, curves)
-        rest, _, _ = all_spots(results, contacts, on_surfaces, self._rest)
+        now, rest = (all_spots(results, contacts, on_surfaces, each) for each in (curves, self._rest))
         return _json(
             {
                 "curves": _base64(self._packed(curves), np.float32),
                 "fields": {name: _base64(results.field(name, index), np.float32) for name in sorted(fields)},
                 "spots": {
-                    "rest": _base64(rest - self._centre, np.float32),
-                    "now": _base64(now - self._centre, np.float32),
-                    "normals": _base64(normals, np.float32),
-                    "radii": _base64(radii, np.float32),
+                    "rest": _base64(rest.places - self._centre, np.float32),
+                    "now": _base64(now.places - self._centre, np.float32),
+                    "normals": _base64(now.normals, np.float32),
+                    "radii": _base64(now.radii, np.float32),
+                    "tangents": _base64(now.tangents, np.float32),
                 },
                 "contacts": _with_surfaces(contacts, on_surfaces),
                 "surfaces": [
@@ -129,8 +131,8 @@ class WebData:
         """The pieces of the zones: their curves, values at both ends, radii, and the row of the zone of each."""
         lines = zone_lines(places)
         rows = places.ledger.where(lines.rows)
-        now, _, radius = spot_places(self._results, rows, curves)
-        rest, _, _ = spot_places(self._results, rows, self._rest)
+        now, rest = (spot_places(self._results, rows, each) for each in (curves, self._rest))
+        radius = now.thinner
         pieces, ends = lines.pieces, _collars(lines)
         first, second = np.concatenate([pieces, ends[:, :2].astype(int)]).T
         # what marks an end is a short, thick piece
@@ -143,11 +145,13 @@ class WebData:
             return _base64(np.stack([begin, begin + along, along / 2, along / 2], axis=1), np.float32)
 
         return {
-            "rest": straight(rest),
-            "now": straight(now),
+            "rest": straight(rest.places),
+            "now": straight(now.places),
             "values": _base64(np.stack([value[first], value[second]], axis=1), np.float32),
             "radii": _base64(size * radius[first], np.float32),
             "zones": _base64(lines.zone[first], np.int32),
+            # the marks are between two wires, whose fronts are not farther away than this
+            "before": float(_WIRES_BEFORE * now.radii.max(initial=0.0)),
         }
 
     @cached_property

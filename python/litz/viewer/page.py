@@ -3,6 +3,7 @@
 import base64
 import gzip
 import html
+import json
 from pathlib import Path
 
 import numpy as np
@@ -64,19 +65,13 @@ def _embedded(data: WebData) -> str:
 
 
 def _zipped(text: str) -> str:
-    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode()
+    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
 
 
 def _scripts() -> str:
-    """All modules as addresses that hold their own text, so that a page opened from a file can load them."""
-    imports = ",\n".join(
-        f'"{name}": "data:text/javascript;base64,{base64.b64encode(_text(file).encode()).decode()}"'
-        for name, file in _MODULES.items()
-    )
-    return (
-        f'<script type="importmap">{{"imports": {{\n{imports}\n}}}}</script>\n'
-        '<script type="module">import "litz/viewer.js";</script>\n'
-    )
+    """All modules, compressed, and what makes of them addresses that hold their own text: a page opened from a file can load these."""
+    modules = json.dumps({name: _text(file) for name, file in _MODULES.items()})
+    return f'<script type="text/plain" id="litz-modules">{_zipped(modules)}</script>\n<script type="text/javascript">{_text("loader.js")}</script>\n'
 
 
 def _text(name: str) -> str:
