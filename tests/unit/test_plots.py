@@ -185,8 +185,10 @@ class TestScene:
         assert np.linalg.norm(turned, axis=1).max() < 0.35
         # the joint at the kink is a ball: its corners surround the node on all sides but those inside the two legs
         ball = mesh.normals[mesh.source == 201]
-        assert np.min(ball @ np.array([1, -1, 0]) / np.sqrt(2)) < -0.6
-        assert np.max(ball @ np.array([1, -1, 0]) / np.sqrt(2)) > 0.99
+        outside = np.array([1, -1, 0]) / np.sqrt(2)
+        assert np.min(ball @ outside) < -0.6
+        # at 45 degrees of latitude, between rings at 36 and 54, and half a side of the ring at 36 away
+        assert np.max(ball @ outside) > np.cos(np.hypot(np.radians(9), np.cos(np.radians(36)) * np.pi / 16))
 
     def test_the_outside_of_a_tube_is_its_front(self):
         mesh = tubes(np.array([[0.0, 0, 0], [0, 0, 1], [0, 1, 2]]), np.array([0, 3]), np.full(3, 0.1), 8)

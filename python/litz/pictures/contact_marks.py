@@ -156,9 +156,7 @@ class ContactMarks:
         return "\n".join(notes)
 
 
-def all_spots(
-    results: Results, contacts: Table, on_surfaces: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> Spots:
+def all_spots(results: Results, contacts: Table, on_surfaces: Table, curves: tuple[np.ndarray, np.ndarray]) -> Spots:
     """The places of `spot_places`, and behind them those of contacts with rigid surfaces."""
     spots = spot_places(results, contacts, curves)
     if not on_surfaces.n_rows:
@@ -175,7 +173,9 @@ def _surface_places(results: Results, contacts: Table, curves: tuple[np.ndarray,
     radius = results.radius[elements]
     axis = hermite(positions[elements], slopes[elements], contacts["xi"])
     radii = np.stack([radius, np.zeros(len(radius))], axis=1)
-    tangents = np.repeat(_unit(hermite_slope(positions[elements], slopes[elements], contacts["xi"]))[:, None], 2, axis=1)
+    tangents = np.repeat(
+        _unit(hermite_slope(positions[elements], slopes[elements], contacts["xi"]))[:, None], 2, axis=1
+    )
     return Spots(axis - radius[:, None] * normals, normals, radii, tangents)
 
 
@@ -202,8 +202,12 @@ def spot_places(results: Results, contacts: Table, curves: tuple[np.ndarray, np.
     radius_bar, radius = results.radius[barred], results.radius[unbarred]
     share = (radius_bar / (radius_bar + radius))[:, None]
     tangents = [
-        _unit(hermite_slope(positions[rows], slopes[rows], contacts[xi])) for rows, xi in ((barred, "xi_1"), (unbarred, "xi_2"))
+        _unit(hermite_slope(positions[rows], slopes[rows], contacts[xi]))
+        for rows, xi in ((barred, "xi_1"), (unbarred, "xi_2"))
     ]
     return Spots(
-        point_bar + share * (point - point_bar), normals, np.stack([radius_bar, radius], axis=1), np.stack(tangents, axis=1)
+        point_bar + share * (point - point_bar),
+        normals,
+        np.stack([radius_bar, radius], axis=1),
+        np.stack(tangents, axis=1),
     )

@@ -253,9 +253,7 @@ def box_pixels(figure: Figure, box: tuple[float, float, float, float]) -> np.nda
     return figure.dpi * figure.get_size_inches() * np.array(box[2:])
 
 
-def place_wires(
-    figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn: Drawn | None, scale: float
-) -> None:
+def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn: Drawn | None, scale: float) -> None:
     """The scene in a box of a figure, colour bar, notes, directions and scale below it."""
     left, bottom, width, _ = box
     draw_wires(figure.add_axes(box), scene, camera, drawn)

@@ -1,7 +1,7 @@
 """Draws the meshes of pictures with VTK, as a program of its own.
 
-`litz.pictures.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/drawn_0.npz of FOLDER/job_0.npz, and so on:
-where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
+`litz.pictures.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/drawn_0.npz of FOLDER/job_0.npz,
+and so on: where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
 """
 
 import sys
@@ -9,8 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-import vtkmodules.vtkRenderingOpenGL2
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
@@ -34,11 +33,11 @@ def draw(job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
     samples = 2 if size.prod() <= _MAX_FINE else 1
     renderer, window = vtkRenderer(), vtkRenderWindow()
     window.SetOffScreenRendering(True)
-    window.SetMultiSamples(4)
+    # the picture is made of finer pixels anyway
+    window.SetMultiSamples(0)
     window.SetSize(*(samples * size).tolist())
     window.AddRenderer(renderer)
     renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.SetUseDepthPeeling(len(job["surface_quads"]) > 0)
     add_lights(renderer, job)
     tubes = mesh(job["points"], job["triangles"], colours=job["colours"], normals=job["normals"])
     add(renderer, tubes, ambient=0.25, diffuse=0.8, specular=0.35)
@@ -46,7 +45,14 @@ def draw(job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
     add(renderer, marks)
     add(renderer, mesh(job["reference"], job["reference_pieces"]), REFERENCE_COLOUR, line_width=samples * _LINE_WIDTH)
     surface, colour = job["surface_points"], tuple(job["surface_colour"].tolist())
-    add(renderer, mesh(surface, job["surface_quads"]), colour, ambient=0.5, diffuse=0.5, opacity=float(job["surface_opacity"]))
+    add(
+        renderer,
+        mesh(surface, job["surface_quads"]),
+        colour,
+        ambient=0.5,
+        diffuse=0.5,
+        opacity=float(job["surface_opacity"]),
+    )
     add(renderer, mesh(surface, job["surface_rim"]), colour, line_width=samples * _LINE_WIDTH)
     aim(renderer, job)
     window.Render()
@@ -67,7 +73,7 @@ def mesh(
     """Lines (n, 2), triangles (n, 3) or quadrilaterals (n, 4) between points (m, 3), with colours and normals (m, 3) of them."""
     data, places, array = vtkPolyData(), vtkPoints(), vtkCellArray()
     places.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=np.float32), deep=True))
-    array.SetData(cells.shape[1], numpy_to_vtkIdTypeArray(cells.astype(np.int64).ravel(), deep=True))
+    array.SetData(cells.shape[1], numpy_to_vtk(cells.ravel().astype(np.int32), deep=True))
     data.SetPoints(places)
     if cells.shape[1] == 2:
         data.SetLines(array)

@@ -138,7 +138,7 @@ class SceneMaker:
     def scene(self, increment: int) -> Scene:
         """What is seen of one of the increments."""
         results, wires = self._results, self._wires
-        n = int(np.clip(_MAX_POINTS // len(results.elements), 2, 24))
+        n = int(np.clip(_MAX_POINTS // len(results.elements), 1, 24))
         displacement = results.field("displacement", increment)
         now = self._curves(displacement, results.field("rotation", increment))
         positions, slopes = (

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -35,10 +36,14 @@ _MIN_THICKNESS = 0.18
 # Width of the lines of contact in radii, and its range in points and in pixels
 _LINE_WIDTH, _LINE_WIDTHS, _LINE_PIXELS = 0.5, (1.6, 5.0), (3.0, 10.0)
 _DARK = "#3a1510"
-# Rim of a mark [pixels]; how far before the wires marks lie, relative to these; one above the other, in radii
-_RIM, _CLEARANCE, _LAYER = 1.0, 1.05, 0.02
+# Rim of a mark [pixels], and at most as a part of the radius of a disc
+_RIM, _RIM_PART = 1.0, 0.3
+# How far before the wires marks lie, relative to these; one above the other, in radii
+_CLEARANCE, _LAYER = 1.05, 0.02
+# Corners of a disc, of few and of many discs
+_DISC_SIDES, _SIDES_OF_MANY, _MANY_DISCS = 24, 8, 5000
 # Corners of the rings of a tube
-_SIDES = (12, 64)
+_SIDES = (6, 64)
 # The undeformed axes are seen if they have this share of the width of the picture in pixels
 _LEAST_GREY = 0.02
 #: Note on pictures that were drawn without OpenGL
@@ -73,9 +78,7 @@ def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[
     return begin_rendering(scenes, camera, pixels)()
 
 
-def begin_rendering(
-    scenes: list[Scene], camera: Camera, pixels: np.ndarray
-) -> Callable[[], Sequence[Drawn | None]]:
+def begin_rendering(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Callable[[], Sequence[Drawn | None]]:
     """As `render`, beside what this process does until it asks for the pictures by calling what is returned."""
     pool = ThreadPoolExecutor(1)
     drawn = pool.submit(_render, scenes, camera, pixels)
@@ -113,10 +116,11 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[Dra
     distance = 10 * max(np.ptp(scene.outline, axis=0).max() + scene.radius.max() for scene in scenes)
     with tempfile.TemporaryDirectory() as folder:
         for number, scene in enumerate(scenes):
-            np.savez(
-                Path(folder, f"job_{number}.npz"), size=np.round(pixels), centre=camera.centre, toward=camera.toward,
-                up=camera.up, half_height=camera.half_height, distance=distance, **_meshes(scene, camera, pixels[0]),
-            )  # fmt: skip
+            job: dict[str, Any] = {
+                "size": np.round(pixels), "centre": camera.centre, "toward": camera.toward, "up": camera.up,
+                "half_height": camera.half_height, "distance": distance, **_meshes(scene, camera, pixels[0]),
+            }  # fmt: skip
+            np.savez(Path(folder, f"job_{number}.npz"), **job)
         _run_vtk(folder, len(scenes))
         files = [np.load(Path(folder, f"drawn_{number}.npz")) for number in range(len(scenes))]
         return [Drawn(file["picture"], bool(file["n_grey"] > _LEAST_GREY * pixels[0])) for file in files]
@@ -127,14 +131,15 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
     radius = np.maximum(scene.radius, _MIN_RADIUS * camera.half_width)
     in_pixels = radius.max() * width / (2 * camera.half_width)
     # the polygon of a ring departs from the circle by less than a fifth of a pixel
-    sides = int(np.clip(4 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 4), *_SIDES))
+    sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
     tube = tubes(scene.points, scene.starts, radius, sides)
     colours = mpl.colormaps[scene.colours](mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
     points, triangles, mark_colours = marks(scene, camera, width)
     reference, starts = scene.reference, scene.reference_starts
     pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
     return {
-        "points": tube.points, "normals": tube.normals, "triangles": tube.triangles, "colours": colours[tube.source],
+        "points": tube.points.astype(np.float32), "normals": tube.normals.astype(np.float32),
+        "triangles": tube.triangles.astype(np.int32), "colours": colours[tube.source],
         "mark_points": points, "mark_triangles": triangles, "mark_colours": mark_colours,
         "reference": reference,
         "reference_pieces": np.zeros((0, 2)) if pieces is None else np.delete(pieces, starts[1:-1] - 1, axis=0),
@@ -186,10 +191,12 @@ def _spot_marks(scene: Scene, camera: Camera, pixel: float) -> _Marks:
     rank = np.argsort(np.argsort(-scene.spot_radius, kind="stable"))
     thin = _LAYER * scene.radius.min()
     parts = []
-    for rim, colour, layer in ((_RIM * pixel, "white", 0.0), (0.0, SPOT_COLOUR, 0.5)):
+    sides = _DISC_SIDES if len(rank) <= _MANY_DISCS else _SIDES_OF_MANY
+    rims = np.minimum(_RIM * pixel, _RIM_PART * width / 2)
+    for rim, colour, layer in ((rims, "white", 0.0), (0.0, SPOT_COLOUR, 0.5)):
         centres = _before_wires(scene.spots, camera) + (thin * (rank + layer) / len(rank))[:, None] * camera.toward
-        axes = [(size / 2 + rim)[:, None] * way for size, way in ((width, first), (height, second))]
-        parts.append(_flat(centres, *axes, np.tile(_bytes(colour), (len(rank), 1)), 24))
+        half, other_half = (width / 2 + rim)[:, None] * first, (height / 2 + rim)[:, None] * second
+        parts.append(_flat(centres, half, other_half, np.tile(_bytes(colour), (len(rank), 1)), sides))
     return _joined(parts)
 
 

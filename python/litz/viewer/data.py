@@ -23,6 +23,8 @@ from ..wires.curves import element_curves
 _PLACE_IN_TIME = ("step", "increment", "time")
 _COLOUR_MAPS = ("viridis", "coolwarm")
 _DIGITS = 8
+# Largest power of ten that floating-point numbers have exactly
+_EXACT_POWER = 22
 # Radii of the lines of contact and of the marks at their ends, in radii of the thinner wire
 _LINE_RADIUS, _END_RADIUS = 0.3, 0.55
 # Length of a mark, in distances of places
@@ -247,16 +249,28 @@ def _counted_from_one(name: str, values: np.ndarray) -> np.ndarray:
 
 
 def _column(values: np.ndarray) -> list:
+    """Numbers with few digits; JSON has no infinity: the viewer shows text unchanged, and a dash for None."""
     if values.dtype.kind in "iU":
         return values.tolist()
-    return [_number(value) for value in values.tolist()]
+    column = _rounded(values).tolist()
+    for row in np.flatnonzero(~np.isfinite(values)).tolist():
+        column[row] = None if math.isnan(column[row]) else "∞" if column[row] > 0 else "-∞"
+    return column
 
 
-def _number(value: float) -> float | str | None:
-    """JSON has no infinity: the viewer shows text unchanged, and a dash for None."""
-    if math.isinf(value):
-        return "∞" if value > 0 else "-∞"
-    return None if math.isnan(value) else float(f"{value:.{_DIGITS}g}")
+def _rounded(values: np.ndarray) -> np.ndarray:
+    """Numbers rounded to `_DIGITS` significant digits, which is how many Python writes of them.
+
+    A whole number times or over a power of ten that is exact is the number nearest to its decimals; numbers so small or large
+    that the power is not are left as they are.
+    """
+    known = np.isfinite(values) & (values != 0)
+    size = np.log10(np.abs(values), out=np.zeros(len(values)), where=known)
+    shift = _DIGITS - 1 - np.floor(size)
+    known &= np.abs(shift) <= _EXACT_POWER
+    shift = np.where(known, shift, 0.0)
+    up, down = 10.0 ** np.maximum(shift, 0), 10.0 ** np.maximum(-shift, 0)
+    return np.where(known, np.rint(values * up / down) / up * down, values)
 
 
 def _base64(values: np.ndarray, kind: type) -> str:

@@ -19,6 +19,8 @@ _MODULES = {
     },
 }
 _ICON = "data:,"
+# Of gzip: more takes longer and gains nothing
+_COMPRESSION = 6
 
 
 def page(title: str, body: str, style: str = "") -> str:
@@ -65,13 +67,17 @@ def _embedded(data: WebData) -> str:
 
 
 def _zipped(text: str) -> str:
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
+    return base64.b64encode(gzip.compress(text.encode(), _COMPRESSION, mtime=0)).decode()
 
 
 def _scripts() -> str:
-    """All modules, compressed, and what makes of them addresses that hold their own text: a page opened from a file can load these."""
-    modules = json.dumps({name: _text(file) for name, file in _MODULES.items()})
-    return f'<script type="text/plain" id="litz-modules">{_zipped(modules)}</script>\n<script type="text/javascript">{_text("loader.js")}</script>\n'
+    """All modules, compressed, and what turns them into addresses that hold their own text, which also a local page can load."""
+    modules = _zipped(json.dumps({name: _text(file) for name, file in _MODULES.items()}))
+    loader = _text("loader.js")
+    return (
+        f'<script type="text/plain" id="litz-modules">{modules}</script>\n'
+        f'<script type="text/javascript">\n{loader}</script>\n'
+    )
 
 
 def _text(name: str) -> str:
