@@ -9,6 +9,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
+
+# gives windows and mappers what draws them
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
