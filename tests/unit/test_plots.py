@@ -288,7 +288,7 @@ class TestCharts:
         columns = {"time": "s", "RF1 node 1": "N", "RF2 node 1": "N", "N element 2": "N", "Q3 element 2": "N"}
         # in millimetres moments and energies have one unit; ALLWK is no moment
         columns |= {"M2 element 2": "N mm", "RM3 node 1": "N mm", "ALLWK": "N mm", "ETOTAL": "N mm"}
-        table = Table(dict.fromkeys(columns, np.array([0.0, 1.0])), columns)
+        table = Table({name: np.array([0.0, k + 1.0]) for k, name in enumerate(columns)}, columns)
         figure = Figure()
         charts.history(figure, SimpleNamespace(history=table, unit_labels={"s": "s"}), -1)
         shown = {axes.get_ylabel(): [line.get_label() for line in axes.lines] for axes in figure.axes}
