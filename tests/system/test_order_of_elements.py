@@ -223,11 +223,11 @@ def test_the_axes_of_the_elements(ordered, disordered, rows, turned):
 
 def test_the_places_of_the_spots(ordered, disordered):
     expected, found = (spot_places(one, one.contacts_at(-1), curves_of(one)) for one in (ordered, disordered))
-    assert len(expected[0]) == 1
-    np.testing.assert_allclose(found[0], expected[0], atol=1e-8)
+    assert len(expected.places) == 1
+    np.testing.assert_allclose(found.places, expected.places, atol=1e-8)
     # which of the wires is the barred one decides the sign of the normal
-    np.testing.assert_allclose(np.abs(found[1]), np.abs(expected[1]), atol=1e-4)
-    np.testing.assert_allclose(found[2], expected[2])
+    np.testing.assert_allclose(np.abs(found.normals), np.abs(expected.normals), atol=1e-4)
+    np.testing.assert_allclose(found.thinner, expected.thinner)
 
 
 @pytest.mark.parametrize("field", ["potential", "joule_heat"])

@@ -37,7 +37,7 @@ def not_white(picture):
 class TestSpots:
     def test_a_disc_for_each_contact_with_its_area_by_the_force(self, grid):
         scene = SceneMaker(grid, [-1], spots="force").scene(-1)
-        assert len(scene.spots) == 16
+        assert len(scene.spot_radius) == 16
         force = grid.contacts_at(-1)["force"]
         large = scene.spot_radius > 0.2 * scene.spot_radius.max()
         np.testing.assert_allclose(
@@ -49,7 +49,7 @@ class TestSpots:
         scene = SceneMaker(grid, [-1]).scene(-1)
         ledger = grid.contacts_at(-1)
         middle = np.stack([(ledger[f"point_1_{axis}"] + ledger[f"point_2_{axis}"]) / 2 for axis in "xyz"], axis=1)
-        np.testing.assert_allclose(scene.spots, middle, atol=1e-3 * grid.radius.min())
+        np.testing.assert_allclose(scene.spots.places, middle, atol=1e-3 * grid.radius.min())
 
     def test_a_disc_is_a_circle_from_above_and_thin_from_the_side(self, grid):
         """The contact planes of the grid are horizontal, but for the slopes of the wires."""

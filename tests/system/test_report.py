@@ -54,6 +54,10 @@ class TestPage:
         shown = report_tables.amount(entering[entering > 0].sum(), "A")
         assert f"current in {shown} current out {shown}" in plain(page)
 
+    def test_it_is_small_enough_to_be_sent(self, page):
+        """Seven pictures, the model of 56 elements at 4 increments, and the viewer."""
+        assert len(page.encode()) < 1e6
+
     def test_its_pictures_are_inside(self, page):
         assert page.count('<img alt="') >= 7
         assert page.count("data:image/webp;base64,UklGR") == page.count('<img alt="')

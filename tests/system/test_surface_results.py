@@ -163,9 +163,9 @@ class TestPictures:
         heights = np.unique(scene.surface_points[:, 2].round(9))
         np.testing.assert_allclose(heights, [-RADIUS + 1e-8, 3 * RADIUS - 2e-8 - 1e-6], atol=1e-9)
         wires, surfaces = results.contacts_at(-1).n_rows, results.surface_contacts_at(-1)
-        assert len(scene.spots) == wires + surfaces.n_rows
+        assert len(scene.spot_radius) == wires + surfaces.n_rows
         # the discs lie on the surfaces
-        np.testing.assert_allclose(np.unique(scene.spots[wires:, 2].round(6)), heights.round(6), atol=1e-6)
+        np.testing.assert_allclose(np.unique(scene.spots.places[wires:, 2].round(6)), heights.round(6), atol=1e-6)
         force = surfaces["force"]
         large = scene.spot_radius[wires:] > 0.2 * scene.spot_radius.max()
         ratio = scene.spot_radius[wires:][large] ** 2 / force[large]

@@ -71,10 +71,10 @@ def test_it_has_one_crossing_one_zone_and_contacts_with_both_surfaces(results):
 class TestPictures:
     def test_crossings_and_surface_contacts_are_discs_and_the_zone_is_a_line(self, results):
         scene = SceneMaker(results, [-1]).scene(-1)
-        assert len(scene.spots) == 1 + n_on_surfaces(results)
-        at_heights = np.round(scene.spots[:, 2] / RADIUS)
+        assert len(scene.spot_radius) == 1 + n_on_surfaces(results)
+        at_heights = np.round(scene.spots.places[:, 2] / RADIUS)
         assert sorted(set(at_heights)) == [-1, 3, 5]
-        assert set(np.round(scene.lines[:, 2] / RADIUS)) == {1}
+        assert set(np.round(scene.lines.places[:, 2] / RADIUS)) == {1}
         assert len(scene.line_ends) == 2
         assert len(scene.surface_quads) > 0
         assert f"{1 + n_on_surfaces(results)} contacts: disc area proportional to force" in scene.spot_text

@@ -1,5 +1,6 @@
 """The graph of the contact network: which lines it has, how thick, and where the dots are."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -7,6 +8,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from litz.pictures import network_chart
+from litz.pictures.chart_tools import wire_names
 from litz.pictures.network_chart import between_wires, layout, turned
 
 
@@ -61,3 +63,24 @@ def test_the_high_potential_is_on_the_left():
     potential = places[:, 1]
     flat = turned(places, potential)
     assert np.corrcoef(flat[:, 0], potential)[0, 1] < -0.99
+
+
+def test_a_single_wire_is_a_dot_in_the_middle():
+    """One wire without contacts, as of a cantilever."""
+    places = layout(1, np.zeros((0, 2), dtype=int))
+    assert turned(places, np.zeros(1)).shape == (1, 2)
+
+
+def test_wires_have_the_name_of_their_own_element_set_or_a_number():
+    wires = [SimpleNamespace(elements=np.array(rows)) for rows in ([0, 1], [3, 2], [4])]
+    sets = {"ALL": np.arange(5), "LEFT": np.array([1, 0]), "AGAIN": np.array([0, 1]), "PART": np.array([2])}
+    assert wire_names(SimpleNamespace(element_sets=sets), wires) == ["LEFT", "2", "3"]
+
+
+def test_contacts_whose_force_is_round_off_are_not_in_the_network(results):
+    graph = results.contact_network(1)
+    force = graph.force.max() * np.where(np.arange(len(graph.id)) == 0, 1e-20, 1.0)
+    pressed = network_chart.pressed_contacts(replace(graph, force=force))
+    np.testing.assert_array_equal(pressed.id, graph.id[1:])
+    assert len(pressed.wires) == len(pressed.current) == len(graph.id) - 1
+    assert network_chart.pressed_contacts(graph) is graph

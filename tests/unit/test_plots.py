@@ -14,8 +14,9 @@ import litz
 from litz.base.quantities import engineering, label
 from litz.base.table import Table
 from litz.pictures import charts, plots, wire_picture
-from litz.pictures.render_wires import with_round_ends
+from litz.pictures.contact_marks import Spots
 from litz.pictures.scene import SceneMaker, aim
+from litz.pictures.tube_mesh import tubes
 
 KINDS = (
     "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "network", "friction", "surfaces",
@@ -143,32 +144,84 @@ class TestScene:
         scene = SceneMaker(results, [1], spots="force").scene(1)
         assert scene.spot_text.startswith("2 contacts: disc area proportional to force")
         assert "maximum 20 N" in scene.spot_text
-        assert len(SceneMaker(results, [1], spots="none").scene(1).spots) == 0
+        assert len(SceneMaker(results, [1], spots="none").scene(1).spot_radius) == 0
 
     def test_contacts_with_a_round_off_current_have_no_discs(self, results, monkeypatch):
         ledger = results.contacts_at(1)
         current = ledger["current"] * [1, 1e-12]
         monkeypatch.setattr(results, "contacts_at", lambda _: Table({**ledger, "current": current}, ledger.units))
         scene = SceneMaker(results, [1], spots="current").scene(1)
-        assert len(scene.spots) == 1
+        assert len(scene.spot_radius) == 1
         assert scene.spot_text.startswith("1 contact: disc area proportional to current")
         assert scene.spot_text.endswith("(1 without current)")
 
     def test_tubes_end_in_half_spheres(self):
         points = np.array([[0.0, 0, 0], [0, 0, 5], [1, 0, 0], [3, 0, 0], [7, 0, 0]])
-        radius, value = np.array([0.5, 0.5, 0.25, 0.25, 0.25]), np.array([1.0, 2, 3, 4, 5])
-        round_points, starts, radii, values = with_round_ends(points, np.array([0, 2, 5]), radius, value)
-        assert len(round_points) == len(radii) == len(values) == starts[-1]
-        for wire, (first, last) in enumerate(((points[0], points[1]), (points[2], points[4]))):
-            part, r = slice(starts[wire], starts[wire + 1]), (0.5, 0.25)[wire]
-            along = (round_points[part] - first) @ (last - first) / np.linalg.norm(last - first)
+        mesh = tubes(points, np.array([0, 2, 5]), np.array([0.5, 0.5, 0.25, 0.25, 0.25]), 12)
+        for rows, r in (((0, 1), 0.5), ((2, 3, 4), 0.25)):
+            first, last = points[rows[0]], points[rows[-1]]
+            corners = mesh.points[np.isin(mesh.source, rows)]
             length = np.linalg.norm(last - first)
-            beyond = np.maximum(np.maximum(-along, along - length), 0)
-            assert np.all(np.diff(along) > 0)
-            assert along[0] == pytest.approx(-r, rel=1e-3)
-            assert along[-1] == pytest.approx(length + r, rel=1e-3)
-            np.testing.assert_allclose(radii[part] ** 2 + beyond**2, r**2)
-        np.testing.assert_array_equal(values[[0, starts[1] - 1, starts[1], -1]], [1, 2, 3, 5])
+            along = (corners - first) @ (last - first) / length
+            nearest = first + np.clip(along, 0, length)[:, None] * (last - first) / length
+            np.testing.assert_allclose(np.linalg.norm(corners - nearest, axis=1), r)
+            assert along.min() == pytest.approx(-r)
+            assert along.max() == pytest.approx(length + r)
+
+    def test_a_tube_is_smooth_along_a_curve_in_space_and_round_at_a_kink(self):
+        """Every corner is a radius away from the axis, along its normal; no side of the tube turns about a curved axis."""
+        t = np.linspace(0, 4 * np.pi, 200)
+        helix = np.stack([np.cos(t), np.sin(t), 0.3 * t], axis=1)
+        kinked = np.array([[5.0, 0, 0], [6, 0, 0], [6, 1, 0]])
+        points = np.concatenate([helix, kinked])
+        mesh = tubes(points, np.array([0, 200, 203]), np.full(203, 0.1), 16)
+        outward = mesh.points - points[mesh.source]
+        np.testing.assert_allclose(outward, 0.1 * mesh.normals, atol=1e-12)
+        np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1.0)
+        edges = np.linalg.norm(mesh.points[mesh.triangles[::2, 0]] - mesh.points[mesh.triangles[::2, 1]], axis=1)
+        assert edges.max() <= 2 * 0.1 * np.sin(np.pi / 16) * (1 + 1e-9)
+        # a corner and the one behind it on the next ring: their normals turn with the axis only
+        turned = mesh.normals[mesh.triangles[1::2, 0]] - mesh.normals[mesh.triangles[1::2, 2]]
+        assert np.linalg.norm(turned, axis=1).max() < 0.35
+        # the joint at the kink is a ball: its corners surround the node on all sides but those inside the two legs
+        ball = mesh.normals[mesh.source == 201]
+        outside = np.array([1, -1, 0]) / np.sqrt(2)
+        assert np.min(ball @ outside) < -0.6
+        # at 45 degrees of latitude, between rings at 36 and 54, and half a side of the ring at 36 away
+        assert np.max(ball @ outside) > np.cos(np.hypot(np.radians(9), np.cos(np.radians(36)) * np.pi / 16))
+
+    def test_the_outside_of_a_tube_is_its_front(self):
+        mesh = tubes(np.array([[0.0, 0, 0], [0, 0, 1], [0, 1, 2]]), np.array([0, 3]), np.full(3, 0.1), 8)
+        a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
+        normal = np.cross(b - a, c - a)
+        has_area = np.linalg.norm(normal, axis=1) > 1e-9
+        facing = np.sum(normal * mesh.normals[mesh.triangles].sum(axis=1), axis=1)
+        assert np.all(facing[has_area] > 0)
+
+    def test_a_contact_behind_another_wire_is_hidden(self):
+        """Three crossing layers, seen from above: the upper contact is before its wires, the lower one behind the top wire."""
+        spots = Spots(
+            places=np.array([[0.0, 0, 0], [0, 0, 2.0]]),
+            normals=np.array([[0.0, 0, 1], [0, 0, -1]]),
+            radii=np.ones((2, 2)),
+            tangents=np.array([[[0.0, 1, 0], [1, 0, 0]], [[0.0, 1, 0], [1, 0, 0]]]),
+        )
+        # layers with their axes at -1, 1 and 3
+        drawn = spots.places[:, 2] + 1.05 * spots.reach(np.array([0.0, 0, 1]), spots.radii)
+        assert 2.0 < drawn[0] < 4.0 < drawn[1]
+
+    @pytest.mark.parametrize("tilt", [0.0, 0.4, 0.9])
+    def test_a_contact_is_before_the_two_wires_that_touch(self, tilt):
+        """The front of the upper wire where lines of sight through the disc meet it, found from the equation of the cylinder."""
+        toward = np.array([np.sin(tilt), 0.0, np.cos(tilt)])
+        spots = Spots(np.zeros((1, 3)), np.array([[0.0, 0, 1]]), np.ones((1, 2)), np.array([[[1.0, 0, 0], [0, 1, 0]]]))
+        reach = 1.05 * spots.reach(toward, spots.radii)[0]
+        right, up = np.array([0.0, 1, 0]), np.cross(toward, [0.0, 1, 0])
+        for a, b in np.random.default_rng(1).uniform(-0.6, 0.6, (50, 2)):
+            start = a * right + b * up - np.array([0, 0, 1.0])
+            flat, way = start[1:], toward[1:]
+            roots = np.roots([way @ way, 2 * flat @ way, flat @ flat - 1])
+            assert reach > np.max(roots.real[np.abs(roots.imag) < 1e-9], initial=-np.inf)
 
     def test_everything_is_inside_the_picture(self, results):
         scene = SceneMaker(results, [-1]).scene(-1)
@@ -235,7 +288,7 @@ class TestCharts:
         columns = {"time": "s", "RF1 node 1": "N", "RF2 node 1": "N", "N element 2": "N", "Q3 element 2": "N"}
         # in millimetres moments and energies have one unit; ALLWK is no moment
         columns |= {"M2 element 2": "N mm", "RM3 node 1": "N mm", "ALLWK": "N mm", "ETOTAL": "N mm"}
-        table = Table(dict.fromkeys(columns, np.array([0.0, 1.0])), columns)
+        table = Table({name: np.array([0.0, k + 1.0]) for k, name in enumerate(columns)}, columns)
         figure = Figure()
         charts.history(figure, SimpleNamespace(history=table, unit_labels={"s": "s"}), -1)
         shown = {axes.get_ylabel(): [line.get_label() for line in axes.lines] for axes in figure.axes}

@@ -11,6 +11,7 @@ from ..base.quantities import engineering, label
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
+from .chart_tools import equal_curves, has_force, legend_beside, name_of_group, wire_names
 
 Colour = str | tuple[float, float, float, float]
 
@@ -82,15 +83,17 @@ def _quantity(column: str) -> str:
 
 def _history_of_one_quantity(axes: Axes, table: Table, names: list[str], quantity: str, unit: str) -> None:
     factor, symbol = engineering(np.concatenate([table[name] for name in names]), unit)
-    for i, name in enumerate(names):
-        legend = name if i < MAX_LINES else None
+    groups = equal_curves([table[name] for name in names])
+    for i, group in enumerate(groups):
+        legend = name_of_group([names[one] for one in group], "column") if i < MAX_LINES else None
         axes.plot(
-            table["time"], factor * table[name], **marker(table.n_rows), color=colour_of(i, len(names)), label=legend
-        )
-    if len(names) > MAX_LINES:
-        axes.plot([], [], " ", label=f"and {len(names) - MAX_LINES} more")
+            table["time"], factor * table[names[group[0]]], **marker(table.n_rows), color=colour_of(i, len(groups)),
+            label=legend,
+        )  # fmt: skip
+    if len(groups) > MAX_LINES:
+        axes.plot([], [], " ", label=f"and {len(groups) - MAX_LINES} more")
     axes.set_ylabel(label(quantity, symbol))
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    legend_beside(axes)
 
 
 def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
@@ -100,7 +103,7 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     """
     ledger = results.contacts
     axes.set_title("Contact resistance")
-    shown = ledger.where((ledger["resistance"] < np.inf) & (ledger["force"] > 0))
+    shown = ledger.where((ledger["resistance"] < np.inf) & (ledger["force"] > 0) & has_force(ledger["force"]))
     if not shown.n_rows:
         nothing_to_draw(axes, "No current can pass a contact")
         return
@@ -114,7 +117,7 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
             way_up = _loading_and_return(axes, force[one], ohms[one], colour_of(i, len(ids)), f"contact {contact}")
             loading[one[~way_up]] = False
         if len(ids) > 1:
-            axes.legend(loc="upper right")
+            legend_beside(axes)
     else:
         angle = np.degrees(shown["angle"])
         if np.ptp(angle) > 1:
@@ -179,7 +182,7 @@ def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
             label=f"slope {text}",
         )
     axes.set_ylim(limits)
-    axes.legend(loc="best")
+    legend_beside(axes)
 
 
 def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> None:
@@ -219,7 +222,7 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_xlabel("iteration")
     axes.set_ylabel("residual / allowed")
-    axes.legend(loc="best")
+    legend_beside(axes)
 
 
 def residual_names(table: Table) -> list[str]:
@@ -297,7 +300,7 @@ def contact_heat(axes: Axes, results: Results) -> None:
     axes.plot(results.times, factor * wires, **marker(len(times)), color=colour_of(0, 3), label="wires")
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("heat", unit))
-    axes.legend(loc="best")
+    legend_beside(axes)
 
 
 def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
@@ -312,18 +315,17 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
     axes.set_ylabel(label("force", unit))
     ids = np.unique(ledger["id"])
     if len(ids) <= MAX_LINES:
-        for i, contact in enumerate(ids):
-            # an open contact is not in the ledger: its force is zero
-            times, force = _per_increment(results, np.where(ledger["id"] == contact, ledger["force"], 0.0))
+        times = results.times
+        # an open contact is not in the ledger: its force is zero
+        forces = [_per_increment(results, np.where(ledger["id"] == one, ledger["force"], 0.0))[1] for one in ids]
+        groups = equal_curves(forces)
+        for i, group in enumerate(groups):
+            text = name_of_group([f"contact {ids[one]}" for one in group], "contact")
             axes.plot(
-                times,
-                factor * force,
-                **marker(len(times)),
-                color=colour_of(i, len(ids)),
-                label=f"contact {contact}",
+                times, factor * forces[group[0]], **marker(len(times)), color=colour_of(i, len(groups)), label=text
             )
         if len(ids) > 1:
-            axes.legend(loc="best", ncols=2 if len(ids) > 6 else 1)
+            legend_beside(axes)
     else:
         times = np.unique(ledger["time"])
         spread = np.array(
@@ -334,7 +336,7 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
             times, spread[:, 1], spread[:, 3], color=_ONE_COLOUR, alpha=0.35, linewidth=0, label="half of them"
         )
         axes.plot(times, spread[:, 2], **marker(len(times)), color=_ONE_COLOUR, label="median")
-        axes.legend(loc="best")
+        legend_beside(axes)
     axes.set_ylim(bottom=0)
 
 
@@ -357,7 +359,7 @@ def spot_sizes(axes: Axes, results: Results, increment: int) -> None:
     axes.set_ylim(bottom=0)
     axes.set_xlabel(label("force", force_unit))
     axes.set_ylabel(label("semi-axis", unit))
-    axes.legend(loc="best")
+    legend_beside(axes)
 
 
 def displacement_over_time(axes: Axes, results: Results, increment: int) -> None:
@@ -395,17 +397,33 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
     factor, unit = engineering(current, results.unit_labels["A"])
     length_factor, length_unit = engineering(np.ptp(results.nodes, axis=0), results.unit_labels["m"])
     few = len(wires) <= MAX_LINES
-    for i, wire in enumerate(wires):
+    along, values = [], []
+    for wire in wires:
         length = np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1)
-        edges = length_factor * np.concatenate(([0.0], np.cumsum(length)))
-        values = factor * wire.signs * current[wire.elements]
-        axes.stairs(values, edges, baseline=None, color=colour_of(i, len(wires)), alpha=1.0 if few else 0.5,
-                    linewidth=1.6 if few else 0.8, label=f"wire {i + 1}" if few else None)  # fmt: skip
+        along.append(length_factor * np.concatenate(([0.0], np.cumsum(length))))
+        values.append(factor * wire.signs * current[wire.elements])
+    groups = _equal_wires(along, values) if few else [[i] for i in range(len(wires))]
+    names = wire_names(results, wires) if few else []
+    for i, group in enumerate(groups):
+        text = name_of_group([f"wire {names[one]}" for one in group], "wire") if few else None
+        axes.stairs(values[group[0]], along[group[0]], baseline=None, color=colour_of(i, len(groups)),
+                    alpha=1.0 if few else 0.5, linewidth=1.6 if few else 0.8, label=text)  # fmt: skip
     axes.set_title("Current along the wires")
     axes.set_xlabel(label("reference arc length", length_unit))
     axes.set_ylabel(label("current", unit))
     if few and len(wires) > 1:
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        legend_beside(axes)
+
+
+def _equal_wires(along: list[np.ndarray], values: list[np.ndarray]) -> list[list[int]]:
+    """Wires in groups with the same values at the same places."""
+    same_places = {one: place for place, group in enumerate(equal_curves(along)) for one in group}
+    groups = equal_curves(values)
+    return [
+        [one for one in group if same_places[one] == place]
+        for group in groups
+        for place in dict.fromkeys(same_places[one] for one in group)
+    ]
 
 
 def _per_increment(results: Results, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -1,5 +1,7 @@
 """How contacts are shown on pictures of the wires: crossings and contacts with rigid surfaces as discs, zones as lines."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from ..base.quantities import engineering, label
@@ -7,12 +9,67 @@ from ..base.table import Table
 from ..results import Results
 from ..results.contact_places import contact_places, rows_of
 from ..results.zone_lines import ZoneLines, zone_lines
-from ..wires.curves import hermite
+from ..wires.curves import hermite, hermite_slope
 
 #: Points of the lines: more are not seen apart
 _MAX_POINTS = 8_000
 #: Discs below this part of the largest are round-off, and not drawn
 _NOTHING = 1e-9
+#: Wires seen along their axes: smallest sine of the angle between both
+_LEAST_SINE = 0.3
+
+
+@dataclass(frozen=True)
+class Spots:
+    """Where bodies touch.
+
+    Attributes
+    ----------
+    places, normals : ndarray
+        (m, 3) [m], and from the second body to the first, (m, 3).
+    radii : ndarray
+        Radii of the two wires, (m, 2) [m]; 0 for a rigid surface, which is the second.
+    tangents : ndarray
+        Unit tangents of their axes, (m, 2, 3).
+    """
+
+    places: np.ndarray
+    normals: np.ndarray
+    radii: np.ndarray
+    tangents: np.ndarray
+
+    @classmethod
+    def none(cls) -> "Spots":
+        """No contacts."""
+        return cls(*(np.zeros((0, *shape)) for shape in ((3,), (3,), (2,), (2, 3))))
+
+    @property
+    def thinner(self) -> np.ndarray:
+        """Radius of the thinner wire, (m) [m]."""
+        return np.where(self.radii[:, 1] > 0, self.radii.min(axis=1, initial=np.inf), self.radii[:, 0])
+
+    def where(self, chosen: np.ndarray) -> "Spots":
+        """Some of them."""
+        return Spots(self.places[chosen], self.normals[chosen], self.radii[chosen], self.tangents[chosen])
+
+    def reach(self, toward: np.ndarray, radii: np.ndarray) -> np.ndarray:
+        """How far the two touching wires extend from their contact towards the viewer, near it, (m) [m].
+
+        A line of sight at the angle b to the axis passes the front of a wire of the radius r at r / sin b before the axis, and
+        meets the plane of its axis and the contact, of the normal n, at r |n . toward| / sin^2 b behind or before that; the
+        last term is the slope of the axis over a radius.
+
+        Parameters
+        ----------
+        toward : ndarray
+            Unit vector towards the viewer, (3).
+        radii : ndarray
+            Drawn radii, (m, 2) [m].
+        """
+        along = np.abs(self.tangents @ toward)
+        across = np.maximum(np.sqrt(np.maximum(1 - along**2, 0.0)), _LEAST_SINE)
+        sided = np.stack([self.normals @ toward, -(self.normals @ toward)], axis=1)
+        return np.max(radii / across * (1 + sided / across + along), axis=1, initial=0.0)
 
 
 class ContactMarks:
@@ -58,28 +115,28 @@ class ContactMarks:
         on_surfaces = surfaces["force"] if surfaces.n_rows and self._by == "force" else np.zeros(surfaces.n_rows)
         return np.concatenate([np.abs(self._crossings[increment][self._by]), on_surfaces])
 
-    def spots(self, increment: int, curves: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Centres (m, 3), normals (m, 3) and drawn radii (m) of the discs; their areas are proportional to current or force."""
+    def spots(self, increment: int, curves: tuple[np.ndarray, np.ndarray]) -> tuple[Spots, np.ndarray]:
+        """Places of the discs, and their drawn radii (m); their areas are proportional to current or force."""
         size = self._sizes(increment) if increment in self._crossings else np.zeros(0)
         if not len(size):
-            return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)
+            return Spots.none(), np.zeros(0)
         crossings, on_surfaces = self._crossings[increment], self._surfaces[increment]
         drawn = self._is_drawn(size)
-        centres, normals, thinner = (one[drawn] for one in all_spots(self._results, crossings, on_surfaces, curves))
+        spots = all_spots(self._results, crossings, on_surfaces, curves).where(drawn)
         part = size[drawn] / max(self._largest, np.finfo(float).tiny)
-        return centres, normals, thinner * np.clip(0.85 * np.sqrt(part), 0.15, None)
+        return spots, spots.thinner * np.clip(0.85 * np.sqrt(part), 0.15, None)
 
     def _is_drawn(self, size: np.ndarray) -> np.ndarray:
         """Which discs of these sizes are more than round-off."""
         return size >= _NOTHING * self._largest
 
-    def lines(self, increment: int, curves: tuple[np.ndarray, np.ndarray]) -> tuple[ZoneLines, np.ndarray]:
-        """The lines through the zones, and their points (n, 3)."""
+    def lines(self, increment: int, curves: tuple[np.ndarray, np.ndarray]) -> tuple[ZoneLines, Spots]:
+        """The lines through the zones, and their points."""
         if increment not in self._lines:
             nothing = np.zeros(0, dtype=int)
-            return ZoneLines(nothing, np.zeros(1, dtype=int), np.zeros(0), np.zeros(0, dtype=bool)), np.zeros((0, 3))
+            return ZoneLines(nothing, np.zeros(1, dtype=int), np.zeros(0), np.zeros(0, dtype=bool)), Spots.none()
         lines, rows = self._lines[increment]
-        return lines, spot_places(self._results, rows, curves)[0]
+        return lines, spot_places(self._results, rows, curves)
 
     def text(self, increment: int) -> str:
         """What discs and lines mean, and how many there are."""
@@ -99,32 +156,35 @@ class ContactMarks:
         return "\n".join(notes)
 
 
-def all_spots(
-    results: Results, contacts: Table, on_surfaces: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The places, normals and radii of `spot_places`, and behind them those of contacts with rigid surfaces."""
+def all_spots(results: Results, contacts: Table, on_surfaces: Table, curves: tuple[np.ndarray, np.ndarray]) -> Spots:
+    """The places of `spot_places`, and behind them those of contacts with rigid surfaces."""
     spots = spot_places(results, contacts, curves)
     if not on_surfaces.n_rows:
         return spots
-    return tuple(map(np.concatenate, zip(spots, _surface_places(results, on_surfaces, curves), strict=True)))  # type: ignore[return-value]
+    others = _surface_places(results, on_surfaces, curves)
+    return Spots(*(np.concatenate([getattr(one, name) for one in (spots, others)]) for name in Spots.__annotations__))
 
 
-def _surface_places(
-    results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where wires touch rigid surfaces: places (m, 3) [m], normals (m, 3), and the radius of the wire (m) [m]."""
+def _surface_places(results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]) -> Spots:
+    """Where wires touch rigid surfaces, which have no thickness."""
     elements = rows_of(results.element_ids, contacts["element"])
     positions, slopes = curves
     normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
     radius = results.radius[elements]
     axis = hermite(positions[elements], slopes[elements], contacts["xi"])
-    return axis - radius[:, None] * normals, normals, radius
+    radii = np.stack([radius, np.zeros(len(radius))], axis=1)
+    tangents = np.repeat(
+        _unit(hermite_slope(positions[elements], slopes[elements], contacts["xi"]))[:, None], 2, axis=1
+    )
+    return Spots(axis - radius[:, None] * normals, normals, radii, tangents)
 
 
-def spot_places(
-    results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where contacts touch: places (m, 3) [m], normals (m, 3), and the smaller radius of the two wires (m) [m].
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+def spot_places(results: Results, contacts: Table, curves: tuple[np.ndarray, np.ndarray]) -> Spots:
+    """Where wires touch.
 
     Parameters
     ----------
@@ -141,4 +201,13 @@ def spot_places(
     normals = np.stack([contacts[f"normal_{axis}"] for axis in "xyz"], axis=1)
     radius_bar, radius = results.radius[barred], results.radius[unbarred]
     share = (radius_bar / (radius_bar + radius))[:, None]
-    return point_bar + share * (point - point_bar), normals, np.minimum(radius_bar, radius)
+    tangents = [
+        _unit(hermite_slope(positions[rows], slopes[rows], contacts[xi]))
+        for rows, xi in ((barred, "xi_1"), (unbarred, "xi_2"))
+    ]
+    return Spots(
+        point_bar + share * (point - point_bar),
+        normals,
+        np.stack([radius_bar, radius], axis=1),
+        np.stack(tangents, axis=1),
+    )

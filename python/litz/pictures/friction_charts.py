@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from ..base.quantities import engineering, label
 from ..results import Results
 from ..wires.curves import arc_lengths, element_curves, hermite_slope
+from .chart_tools import legend_beside
 from .charts import colour_of, nothing_to_draw, time_label
 
 _MAX_LOOPS = 6
@@ -72,7 +73,7 @@ def force_over_sliding(axes: Axes, results: Results, increment: int) -> None:
     axes.set_ylabel(label("friction force", force_unit))
     if len(drawn) > 1:
         more = f"the {len(drawn)} with most heat, of {len(ids)}" if len(ids) > len(drawn) else None
-        axes.legend(loc="best", title=more, title_fontsize="small")
+        legend_beside(axes, title=more, title_fontsize="small")
 
 
 def heat_over_time(axes: Axes, results: Results) -> None:

@@ -1,5 +1,7 @@
 """The contact network as a graph: wires are dots, the contacts between them are lines."""
 
+from dataclasses import replace
+
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
@@ -9,17 +11,22 @@ from matplotlib.figure import Figure
 from ..base.quantities import engineering, label
 from ..results import Results
 from ..results.network import ContactNetwork, contact_network
+from .chart_tools import has_force, wire_names
 
 _WIDEST_LINE = 7.0
 _WIDEST_OF_MANY = 4.0
 _THINNEST_LINE = 0.3
 _MAX_NAMES = 60
 _ROUNDS = 200
+# Where a name begins below a dot, relative to its diameter
+_BELOW = 0.65
+# Lines do not cross names
+_PLATE = {"facecolor": "white", "alpha": 0.85, "edgecolor": "none", "pad": 1.0}
 
 
 def network(figure: Figure, results: Results, increment: int) -> None:
     """Wires as dots, coloured by their voltage; lines as thick as the current, or else the force, between two wires."""
-    graph = contact_network(results, increment)
+    graph = pressed_contacts(contact_network(results, increment))
     n_wires = len(graph.wire_length)
     by = "current" if graph.current.any() else "force"
     pairs, size = between_wires(graph, by)
@@ -27,19 +34,31 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     axes = figure.add_subplot()
     axes.set_axis_off()
     _draw_lines(axes, places, pairs, size)
-    _draw_wires(figure, axes, places, graph, results.unit_labels["V"])
+    _draw_wires(figure, axes, places, graph, wire_names(results, results.wires), results.unit_labels["V"])
     factor, unit = engineering(size, results.unit_labels[{"current": "A", "force": "N"}[by]])
     largest = f"; the thickest line is {size.max() * factor:.3g} {unit}" if len(size) else ""
     figure.suptitle(
-        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {n_wires} wires, {_counted(graph)}",
+        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {_counted(n_wires, 'wire')}, {_counted(len(graph.id), 'contact')}",
         x=0.005, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
                    fontsize="small", fontweight="normal", color="#404040")  # fmt: skip
 
 
-def _counted(graph: ContactNetwork) -> str:
-    return f"{len(graph.id)} contact" + "s" * (len(graph.id) != 1)
+def pressed_contacts(graph: ContactNetwork) -> ContactNetwork:
+    """The network without contacts whose force is only round-off."""
+    pressed, n = has_force(graph.force), len(graph.id)
+    of_contacts = ("wires", "id", "arc", "point", "length", "force", "gap", "angle", "resistance", "current",
+                   "voltage_gap", "joule_heat")  # fmt: skip
+    return (
+        graph
+        if pressed.all() or not n
+        else replace(graph, **{one: getattr(graph, one)[pressed] for one in of_contacts})
+    )
+
+
+def _counted(n: int, what: str) -> str:
+    return f"{n} {what}" + "s" * (n != 1)
 
 
 def between_wires(graph: ContactNetwork, by: str) -> tuple[np.ndarray, np.ndarray]:
@@ -76,8 +95,8 @@ def layout(n: int, pairs: np.ndarray) -> np.ndarray:
 def turned(places: np.ndarray, potential: np.ndarray) -> np.ndarray:
     """Places (n, 2) with the longest extent across, and the higher potential (n) [V] on the left."""
     centred = places - places.mean(axis=0)
-    axes = np.linalg.svd(centred, full_matrices=False)[2]
-    flat = centred @ axes.T
+    axes = np.linalg.eigh(centred.T @ centred)[1]
+    flat = centred @ axes[:, ::-1]
     if flat[:, 0] @ (potential - potential.mean()) > 0:
         flat = -flat
     return flat
@@ -117,7 +136,9 @@ def _draw_lines(axes: Axes, places: np.ndarray, pairs: np.ndarray, size: np.ndar
     )  # fmt: skip
 
 
-def _draw_wires(figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNetwork, unit_of_voltage: str) -> None:
+def _draw_wires(
+    figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNetwork, names: list[str], unit_of_voltage: str
+) -> None:
     n = len(places)
     touching = np.bincount(graph.wires.ravel(), minlength=n)
     largest = 420 if n <= _MAX_NAMES else 160
@@ -135,7 +156,12 @@ def _draw_wires(figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNe
         bar.outline.set_visible(False)
     if n <= _MAX_NAMES:
         for wire, (x, y) in enumerate(places):
+            if not names[wire].isdigit():
+                # a name is longer than a dot is wide
+                axes.annotate(names[wire], (x, y), xytext=(0, -_BELOW * np.sqrt(area[wire])), textcoords="offset points",
+                              ha="center", va="top", fontsize="small", zorder=3, color="#1b1b1b", bbox=_PLATE)  # fmt: skip
+                continue
             bright = has_voltage and mpl.colors.Normalize(value.min(), value.max())(value[wire]) > 0.6
-            axes.annotate(str(wire + 1), (x, y), ha="center", va="center", fontsize="small", zorder=3,
+            axes.annotate(names[wire], (x, y), ha="center", va="center", fontsize="small", zorder=3,
                           color="#1b1b1b" if bright else "white")  # fmt: skip
     axes.margins(0.08)

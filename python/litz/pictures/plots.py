@@ -20,7 +20,7 @@ from ..results import Results
 from ..results.contact_history import has_lines
 from . import charts, friction_charts, network_chart, surface_charts, zone_charts
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
-from .wire_picture import WITHOUT_OPENGL, draw_frame, draw_wires, line_colours, render
+from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, line_colours, render
 
 STYLE = {
     "font.size": 10,
@@ -154,18 +154,28 @@ def plot(
     return path
 
 
-def plot_wires(results: Results, fields: list[str | None], paths: list[Path], size: tuple[int, int]) -> None:
-    """Draw the wires at the last increment coloured by several fields, each into a picture; VTK is started once for all."""
+def begin_wires(
+    results: Results, fields: list[str | None], paths: list[Path], size: tuple[int, int]
+) -> Callable[[], None]:
+    """Draw the wires at the last increment coloured by several fields, each into a picture; VTK is started once for all.
+
+    VTK draws beside what this process does until it calls what is returned, which writes the pictures.
+    """
     with results.kept_open(), mpl.rc_context(STYLE):
         figures = [new_figure(_KINDS["wires"][1], size) for _ in fields]
         scenes = [Look(field).scenes(results, [-1]).scene(-1) for field in fields]
         pixels = box_pixels(figures[0], _WIRES_BOX)
         camera = _camera(scenes[0], pixels, Look())
-        for figure, scene, tubes in zip(figures, scenes, render(scenes, camera, pixels), strict=True):
-            place_wires(figure, _WIRES_BOX, scene, camera, tubes, 1.0)
-            figure.text(0.03, 0.975, title(results, -1), va="top", fontsize="large", linespacing=1.4)
-        for figure, path in zip(figures, paths, strict=True):
-            _save(figure, path)
+        drawn = begin_rendering(scenes, camera, pixels)
+
+    def finish() -> None:
+        with mpl.rc_context(STYLE):
+            for figure, scene, path, one in zip(figures, scenes, paths, drawn(), strict=True):
+                place_wires(figure, _WIRES_BOX, scene, camera, one, 1.0)
+                figure.text(0.03, 0.975, title(results, -1), va="top", fontsize="large", linespacing=1.4)
+                _save(figure, path)
+
+    return finish
 
 
 def _save(figure: Figure, path: Path) -> None:
@@ -243,12 +253,10 @@ def box_pixels(figure: Figure, box: tuple[float, float, float, float]) -> np.nda
     return figure.dpi * figure.get_size_inches() * np.array(box[2:])
 
 
-def place_wires(
-    figure: Figure, box: tuple, scene: Scene, camera: Camera, tubes: np.ndarray | None, scale: float
-) -> None:
+def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn: Drawn | None, scale: float) -> None:
     """The scene in a box of a figure, colour bar, notes, directions and scale below it."""
     left, bottom, width, _ = box
-    draw_wires(figure.add_axes(box), scene, camera, tubes)
+    draw_wires(figure.add_axes(box), scene, camera, drawn)
     inch = 1.0 / figure.get_figheight()
     draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera, scene.length_unit)
     bars = [(mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours), scene.title)]
@@ -265,11 +273,11 @@ def place_wires(
         bar.set_label(text)
         bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
-    if len(scene.reference):
+    if len(scene.reference) and (drawn is None or drawn.shows_reference):
         notes.append("grey: undeformed axes")
     if scale != 1.0:
         notes.append(f"displacements times {scale:g}")
-    if tubes is None:
+    if drawn is None:
         notes.append(WITHOUT_OPENGL)
     figure.text(
         left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.4

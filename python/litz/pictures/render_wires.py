@@ -1,108 +1,142 @@
-"""Draws tubes with VTK into pictures, as a program of its own.
+"""Draws the meshes of pictures with VTK, as a program of its own.
 
-`litz.pictures.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/0.png of FOLDER/0.npz, and so on:
-where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
+`litz.pictures.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/drawn_0.npz of FOLDER/job_0.npz,
+and so on: where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
 """
 
-import itertools
 import sys
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-import pyvista as pv
+
+# gives windows and mappers what draws them
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+
+REFERENCE_COLOUR = (154, 154, 154)
+# Each pixel of a picture of at most so many pixels is the mean of 2 x 2 that are drawn
+_MAX_FINE = 2_500_000
+_LINE_WIDTH = 1.5
 
 
 def main(folder: str) -> None:
     """Read the jobs, draw, write the pictures."""
-    for job in sorted(Path(folder).glob("*.npz")):
-        draw(np.load(job), job.with_suffix(".png"))
+    for job in sorted(Path(folder).glob("job_*.npz")):
+        picture, n_grey = draw(np.load(job))
+        np.savez(job.with_name(job.name.replace("job", "drawn")), picture=picture, n_grey=n_grey)
 
 
-def draw(job: Mapping[str, np.ndarray], picture: Path) -> None:
-    """Draw one job."""
-    width, height = (int(n) for n in job["size"])
-    plotter = pv.Plotter(off_screen=True, window_size=(width, height), lighting="none")
-    plotter.set_background("white")
-    add_lights(plotter, job)
-    plotter.enable_anti_aliasing("ssaa")
-
-    points, starts, radius, value = with_round_ends(job["points"], job["starts"], job["radius"], job["value"])
-    tubes = polylines(points, starts)
-    tubes["radius"], tubes["value"] = radius, value
-    # the tube filter gives normals, also to the caps, which are too small to be seen
-    plotter.add_mesh(
-        tubes.tube(scalars="radius", absolute=True, n_sides=int(job["sides"]), capping=True),
-        scalars="value", cmap=str(job["colours"]), clim=tuple(job["limits"]), show_scalar_bar=False,
-        smooth_shading=True, ambient=0.25, diffuse=0.8, specular=0.35, specular_power=25,
-    )  # fmt: skip
-    if len(job["reference_starts"]) > 1:
-        lines = polylines(job["reference"], job["reference_starts"])
-        plotter.add_mesh(lines, color="#9a9a9a", line_width=1.5, lighting=False)
-    if len(job["surface_quads"]):
-        add_surfaces(plotter, job)
-
-    camera = plotter.camera
-    camera.focal_point = tuple(job["centre"])
-    camera.position = tuple(job["centre"] + job["toward"] * job["distance"])
-    camera.up = tuple(job["up"])
-    camera.parallel_projection = True
-    camera.parallel_scale = float(job["half_height"])
-    plotter.reset_camera_clipping_range()
-    plotter.screenshot(str(picture))
-    plotter.close()
-
-
-def add_surfaces(plotter: pv.Plotter, job: Mapping[str, np.ndarray]) -> None:
-    """Rigid surfaces, half transparent, with their edges as lines."""
-    colour, opacity = str(job["surface_colour"]), float(job["surface_opacity"])
-    quads, rim = job["surface_quads"], job["surface_rim"]
-    faces = pv.PolyData(job["surface_points"], np.column_stack([np.full(len(quads), 4), quads]).ravel())
-    plotter.add_mesh(faces, color=colour, opacity=opacity, ambient=0.5, diffuse=0.5, show_edges=False)
-    lines = pv.PolyData()
-    lines.points = job["surface_points"]
-    lines.lines = np.column_stack([np.full(len(rim), 2), rim]).ravel()
-    plotter.add_mesh(lines, color=colour, line_width=1.5, lighting=False)
+def draw(job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
+    """The picture of a job, (height, width, 3) of bytes, and how many of its pixels show the undeformed axes."""
+    size = job["size"].astype(int)
+    samples = 2 if size.prod() <= _MAX_FINE else 1
+    renderer, window = vtkRenderer(), vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    # the picture is made of finer pixels anyway
+    window.SetMultiSamples(0)
+    window.SetSize(*(samples * size).tolist())
+    window.AddRenderer(renderer)
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    add_lights(renderer, job)
+    tubes = mesh(job["points"], job["triangles"], colours=job["colours"], normals=job["normals"])
+    add(renderer, tubes, ambient=0.25, diffuse=0.8, specular=0.35)
+    marks = mesh(job["mark_points"], job["mark_triangles"], colours=job["mark_colours"])
+    add(renderer, marks)
+    add(renderer, mesh(job["reference"], job["reference_pieces"]), REFERENCE_COLOUR, line_width=samples * _LINE_WIDTH)
+    surface, colour = job["surface_points"], tuple(job["surface_colour"].tolist())
+    add(
+        renderer,
+        mesh(surface, job["surface_quads"]),
+        colour,
+        ambient=0.5,
+        diffuse=0.5,
+        opacity=float(job["surface_opacity"]),
+    )
+    add(renderer, mesh(surface, job["surface_rim"]), colour, line_width=samples * _LINE_WIDTH)
+    aim(renderer, job)
+    window.Render()
+    pixels = vtkUnsignedCharArray()
+    width, height = window.GetSize()
+    window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
+    fine = vtk_to_numpy(pixels).reshape(height, width, 3)[::-1]
+    n_grey = int(np.all(fine == np.array(REFERENCE_COLOUR, dtype=np.uint8), axis=2).sum()) // samples**2
+    sums = sum(
+        fine[row::samples, column::samples].astype(np.uint16) for row in range(samples) for column in range(samples)
+    )
+    return (sums // samples**2).astype(np.uint8), n_grey
 
 
-def polylines(points: np.ndarray, starts: np.ndarray) -> pv.PolyData:
-    """Lines through points; `starts` has the first point of each and, at its end, the number of points."""
-    cells = [np.concatenate(([stop - start], np.arange(start, stop))) for start, stop in itertools.pairwise(starts)]
-    lines = pv.PolyData()
-    lines.points = points
-    lines.lines = np.concatenate(cells)
-    return lines
+def mesh(
+    points: np.ndarray, cells: np.ndarray, colours: np.ndarray | None = None, normals: np.ndarray | None = None
+) -> vtkPolyData:
+    """Lines (n, 2), triangles (n, 3) or quadrilaterals (n, 4) between points (m, 3), with colours and normals (m, 3) of them."""
+    data, places, array = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=np.float32), deep=True))
+    array.SetData(cells.shape[1], numpy_to_vtk(cells.ravel().astype(np.int32), deep=True))
+    data.SetPoints(places)
+    if cells.shape[1] == 2:
+        data.SetLines(array)
+    else:
+        data.SetPolys(array)
+    if colours is not None:
+        data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(colours, dtype=np.uint8), deep=True))
+    if normals is not None:
+        data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(normals, dtype=np.float32), deep=True))
+    return data
 
 
-def with_round_ends(
-    points: np.ndarray, starts: np.ndarray, radius: np.ndarray, value: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Lines as in `polylines`, continued at both ends by half spheres: a tube whose radius decreases to almost nothing."""
-    angles = np.radians([18.0, 36.0, 54.0, 70.0, 82.0, 89.0])
-    along, across = np.sin(angles), np.cos(angles)
-    pieces = []
-    for start, stop in itertools.pairwise(starts):
-        for end, neighbour, order in ((start, start + 1, -1), (stop - 1, stop - 2, 1)):
-            outward = points[end] - points[neighbour]
-            outward /= np.linalg.norm(outward)
-            cap = (
-                points[end] + radius[end] * along[:, None] * outward,
-                radius[end] * across,
-                np.full(len(along), value[end]),
-            )
-            pieces.append([column[::order] for column in cap])
-        pieces.insert(-1, [points[start:stop], radius[start:stop], value[start:stop]])
-    columns = [np.concatenate(column) for column in zip(*pieces, strict=True)]
-    return columns[0], starts + 2 * len(along) * np.arange(len(starts)), columns[1], columns[2]
+def add(
+    renderer: vtkRenderer, data: vtkPolyData, colour: tuple[int, ...] | None = None, *, ambient: float = 1.0,
+    diffuse: float = 0.0, specular: float = 0.0, opacity: float = 1.0, line_width: float = 1.0,
+) -> None:  # fmt: skip
+    """Show a mesh in a colour of bytes, or in the colours of its points; nothing where it has no cells."""
+    if not data.GetNumberOfCells():
+        return
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper.SetInputData(data)
+    mapper.SetScalarVisibility(colour is None)
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetInterpolationToPhong()
+    look.SetAmbient(ambient)
+    look.SetDiffuse(diffuse)
+    look.SetSpecular(specular)
+    look.SetSpecularPower(25.0)
+    look.SetOpacity(opacity)
+    look.SetLineWidth(line_width)
+    look.SetLighting(diffuse > 0)
+    if colour is not None:
+        look.SetColor(*(part / 255 for part in colour))
+    renderer.AddActor(actor)
 
 
-def add_lights(plotter: pv.Plotter, job: Mapping[str, np.ndarray]) -> None:
+def aim(renderer: vtkRenderer, job: Mapping[str, np.ndarray]) -> None:
+    """A parallel projection."""
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(*job["centre"])
+    camera.SetPosition(*(job["centre"] + job["toward"] * job["distance"]))
+    camera.SetViewUp(*job["up"])
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(float(job["half_height"]))
+    renderer.ResetCameraClippingRange()
+
+
+def add_lights(renderer: vtkRenderer, job: Mapping[str, np.ndarray]) -> None:
     """A strong light from the upper left of the viewer and a weak one from the right."""
     toward, up = job["toward"], job["up"]
     right = np.cross(up, toward)
+    renderer.AutomaticLightCreationOff()
     for direction, intensity in ((toward + 0.7 * up - 0.6 * right, 0.85), (toward - 0.1 * up + 0.9 * right, 0.35)):
-        position = job["centre"] + direction * job["distance"]
-        plotter.add_light(pv.Light(position=tuple(position), focal_point=tuple(job["centre"]), intensity=intensity))
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(*(job["centre"] + direction * job["distance"]))
+        light.SetFocalPoint(*job["centre"])
+        light.SetIntensity(intensity)
+        renderer.AddLight(light)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from ..results.scalars import colours_and_limits, default_scalar, end_values, fi
 from ..results.surface_patches import surface_patches
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
-from .contact_marks import ContactMarks
+from .contact_marks import ContactMarks, Spots
 
 _MAX_POINTS = 60_000
 #: Directions to the viewer that have a name
@@ -33,12 +33,12 @@ class Scene:
     surface_points, surface_quads, surface_rim : ndarray
         Of the rigid surfaces: corners (k, 3), rows of them at the corners of each face (l, 4), and at the ends of each line
         along the edges (j, 2).
-    spots, spot_normal, spot_radius : ndarray
-        Centres (m, 3), normals (m, 3) and drawn radii (m) [m] of the discs that stand for the contact spots.
-    lines, line_pieces, line_value : ndarray
-        Zones of contact along lines: points (k, 3), pieces between two of them (p, 2), and force per length (k).
+    spots, spot_radius : Spots, ndarray
+        Places and drawn radii (m) [m] of the discs that stand for the contact spots.
+    lines, line_pieces, line_value : Spots, ndarray, ndarray
+        Zones of contact along lines: points (k), pieces between two of them (p, 2), and force per length (k).
     line_ends : ndarray
-        Ends of the zones, (e, 3).
+        Rows of the points at the ends of the zones.
     line_title : str
         What the colours of the zones mean; empty where there are none at the increments that are shown.
     line_limit : float
@@ -62,10 +62,9 @@ class Scene:
     surface_points: np.ndarray
     surface_quads: np.ndarray
     surface_rim: np.ndarray
-    spots: np.ndarray
-    spot_normal: np.ndarray
+    spots: Spots
     spot_radius: np.ndarray
-    lines: np.ndarray
+    lines: Spots
     line_pieces: np.ndarray
     line_value: np.ndarray
     line_ends: np.ndarray
@@ -139,7 +138,7 @@ class SceneMaker:
     def scene(self, increment: int) -> Scene:
         """What is seen of one of the increments."""
         results, wires = self._results, self._wires
-        n = int(np.clip(_MAX_POINTS // len(results.elements), 2, 24))
+        n = int(np.clip(_MAX_POINTS // len(results.elements), 1, 24))
         displacement = results.field("displacement", increment)
         now = self._curves(displacement, results.field("rotation", increment))
         positions, slopes = (
@@ -147,7 +146,7 @@ class SceneMaker:
         )
         points, starts = _sample(positions, slopes, wires, n)
         has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
-        centres, normals, sizes = self._marks.spots(increment, (positions, slopes))
+        spots, sizes = self._marks.spots(increment, (positions, slopes))
         lines, on_lines = self._marks.lines(increment, (positions, slopes))
         corners, quads, rim = self._surfaces(increment)
         return Scene(
@@ -160,13 +159,12 @@ class SceneMaker:
             surface_points=corners,
             surface_quads=quads,
             surface_rim=rim,
-            spots=centres,
-            spot_normal=normals,
+            spots=spots,
             spot_radius=sizes,
             lines=on_lines,
             line_pieces=lines.pieces,
             line_value=self._marks.line_factor * lines.value,
-            line_ends=on_lines[lines.ends.ravel()],
+            line_ends=lines.ends.ravel(),
             line_title=self._marks.line_title,
             line_limit=self._marks.line_factor * self._marks.line_limit,
             title=self._title,

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from ..base.quantities import engineering, label
 from ..results import Results
+from .chart_tools import legend_beside
 from .charts import colour_of, nothing_to_draw, time_label
 
 
@@ -34,7 +35,7 @@ def surface_forces_over_time(axes: Axes, results: Results, increment: int) -> No
         axes.plot(table["time"][rows], factor * size[rows], **style, color=colour_of(i, len(names)), label=name)
     axes.set_ylabel(label("force", unit))
     axes.set_ylim(bottom=0)
-    axes.legend(loc="best")
+    legend_beside(axes)
 
 
 def _force_by_element(axes: Axes, results: Results, increment: int) -> None:

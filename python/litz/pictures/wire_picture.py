@@ -5,17 +5,22 @@ import subprocess
 import sys
 import tempfile
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
-from matplotlib.image import imread
 
 from ..base.quantities import engineering
+from .contact_marks import Spots
 from .scene import Camera, Scene
+from .tube_mesh import discs as discs_mesh
+from .tube_mesh import tubes
 
 SPOT_COLOUR = "#e8502a"
 SURFACE_COLOUR, SURFACE_OPACITY = "#8296aa", 0.35
@@ -28,18 +33,40 @@ _MIN_SPOT = 0.007
 _LAYERS = ((1.0, 0.55, 0.02), (0.8, 0.8, 0.06), (0.55, 1.0, 0.10), (0.25, 1.25, 0.14))
 # Thickness over diameter of a spot that is seen from its edge
 _MIN_THICKNESS = 0.18
-# Width of the lines of contact in radii, and its range in points
-_LINE_WIDTH, _LINE_WIDTHS = 0.5, (1.6, 5.0)
+# Width of the lines of contact in radii, and its range in points and in pixels
+_LINE_WIDTH, _LINE_WIDTHS, _LINE_PIXELS = 0.5, (1.6, 5.0), (3.0, 10.0)
+_DARK = "#3a1510"
+# Rim of a mark [pixels], and at most as a part of the radius of a disc
+_RIM, _RIM_PART = 1.0, 0.3
+# How far before the wires marks lie, relative to these; one above the other, in radii
+_CLEARANCE, _LAYER = 1.05, 0.02
+# Corners of a disc, of few and of many discs
+_DISC_SIDES, _SIDES_OF_MANY, _MANY_DISCS = 24, 8, 5000
+# Corners of the rings of a tube
+_SIDES = (6, 64)
+# The undeformed axes are seen if they have this share of the width of the picture in pixels
+_LEAST_GREY = 0.02
 #: Note on pictures that were drawn without OpenGL
 WITHOUT_OPENGL = "drawn without OpenGL: depth is approximate"
+
+# Corners (n, 3), triangles (m, 3), colours of the corners (n, 3)
+_Marks = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 class RenderingError(RuntimeError):
     """VTK has not made a picture."""
 
 
-def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[np.ndarray | None]:
-    """Pictures of the tubes of scenes, each (height, width, 4); None and a warning where VTK cannot draw.
+@dataclass(frozen=True)
+class Drawn:
+    """What VTK has drawn: the picture, (height, width, 3) of bytes, and whether the undeformed axes are seen in it."""
+
+    picture: np.ndarray
+    shows_reference: bool
+
+
+def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[Drawn | None]:
+    """Pictures of the wires of scenes and their contacts; None and a warning where VTK cannot draw.
 
     Parameters
     ----------
@@ -48,48 +75,168 @@ def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[
     pixels : ndarray
         Width and height, (2).
     """
-    try:
-        return list(_render(scenes, camera, pixels))
-    except RenderingError as error:
-        warnings.warn(f"{error}; the picture is drawn with matplotlib only, without OpenGL", stacklevel=2)
-        return [None] * len(scenes)
+    return begin_rendering(scenes, camera, pixels)()
 
 
-def draw_wires(axes: Axes, scene: Scene, camera: Camera, tubes: np.ndarray | None) -> None:
-    """The scene in axes that keep their place; `tubes` is what `render` has made of it."""
+def begin_rendering(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Callable[[], Sequence[Drawn | None]]:
+    """As `render`, beside what this process does until it asks for the pictures by calling what is returned."""
+    pool = ThreadPoolExecutor(1)
+    drawn = pool.submit(_render, scenes, camera, pixels)
+    pool.shutdown(wait=False)
+
+    def finish() -> Sequence[Drawn | None]:
+        try:
+            return drawn.result()
+        except RenderingError as error:
+            warnings.warn(f"{error}; the picture is drawn with matplotlib only, without OpenGL", stacklevel=3)
+            return [None] * len(scenes)
+
+    return finish
+
+
+def draw_wires(axes: Axes, scene: Scene, camera: Camera, drawn: Drawn | None) -> None:
+    """The scene in axes that keep their place; `drawn` is what `render` has made of it."""
     axes.set_xlim(-camera.half_width, camera.half_width)
     axes.set_ylim(-camera.half_height, camera.half_height)
     axes.set_axis_off()
-    points_per_metre = 72 * axes.get_position().width * axes.figure.get_figwidth() / (2 * camera.half_width)
-    if tubes is None:
-        _draw_flat(axes, scene, camera, points_per_metre)
-    else:
+    if drawn is not None:
         axes.imshow(
-            tubes, extent=(-camera.half_width, camera.half_width, -camera.half_height, camera.half_height),
+            drawn.picture, extent=(-camera.half_width, camera.half_width, -camera.half_height, camera.half_height),
             aspect="auto", interpolation="antialiased",
         )  # fmt: skip
+        return
+    points_per_metre = 72 * axes.get_position().width * axes.figure.get_figwidth() / (2 * camera.half_width)
+    _draw_flat(axes, scene, camera, points_per_metre)
     _draw_lines(axes, scene, camera, points_per_metre)
     _draw_spots(axes, scene, camera)
 
 
-def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[np.ndarray]:
+def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[Drawn]:
     """The pictures, made by `render_wires.py` in a process of its own."""
     distance = 10 * max(np.ptp(scene.outline, axis=0).max() + scene.radius.max() for scene in scenes)
     with tempfile.TemporaryDirectory() as folder:
         for number, scene in enumerate(scenes):
-            np.savez(
-                Path(folder, f"{number}.npz"),
-                points=scene.points, starts=scene.starts, value=scene.value,
-                radius=np.maximum(scene.radius, _MIN_RADIUS * camera.half_width),
-                reference=scene.reference, reference_starts=scene.reference_starts,
-                surface_points=scene.surface_points, surface_quads=scene.surface_quads, surface_rim=scene.surface_rim,
-                surface_colour=SURFACE_COLOUR, surface_opacity=SURFACE_OPACITY,
-                colours=scene.colours, limits=scene.limits, size=np.round(pixels),
-                sides=24 if len(scene.points) < 20_000 else 12, centre=camera.centre, toward=camera.toward,
-                up=camera.up, half_height=camera.half_height, distance=distance,
-            )  # fmt: skip
+            job: dict[str, Any] = {
+                "size": np.round(pixels), "centre": camera.centre, "toward": camera.toward, "up": camera.up,
+                "half_height": camera.half_height, "distance": distance, **_meshes(scene, camera, pixels[0]),
+            }  # fmt: skip
+            np.savez(Path(folder, f"job_{number}.npz"), **job)
         _run_vtk(folder, len(scenes))
-        return [imread(Path(folder, f"{number}.png")) for number in range(len(scenes))]
+        files = [np.load(Path(folder, f"drawn_{number}.npz")) for number in range(len(scenes))]
+        return [Drawn(file["picture"], bool(file["n_grey"] > _LEAST_GREY * pixels[0])) for file in files]
+
+
+def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]:
+    """What `render_wires.py` draws, for a picture of a width [pixels]."""
+    radius = np.maximum(scene.radius, _MIN_RADIUS * camera.half_width)
+    in_pixels = radius.max() * width / (2 * camera.half_width)
+    # the polygon of a ring departs from the circle by less than a fifth of a pixel
+    sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
+    tube = tubes(scene.points, scene.starts, radius, sides)
+    colours = mpl.colormaps[scene.colours](mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
+    points, triangles, mark_colours = marks(scene, camera, width)
+    reference, starts = scene.reference, scene.reference_starts
+    pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
+    return {
+        "points": tube.points.astype(np.float32), "normals": tube.normals.astype(np.float32),
+        "triangles": tube.triangles.astype(np.int32), "colours": colours[tube.source],
+        "mark_points": points, "mark_triangles": triangles, "mark_colours": mark_colours,
+        "reference": reference,
+        "reference_pieces": np.zeros((0, 2)) if pieces is None else np.delete(pieces, starts[1:-1] - 1, axis=0),
+        "surface_points": scene.surface_points, "surface_quads": scene.surface_quads, "surface_rim": scene.surface_rim,
+        "surface_colour": np.array(_bytes(SURFACE_COLOUR)), "surface_opacity": np.array(SURFACE_OPACITY),
+    }  # fmt: skip
+
+
+def marks(scene: Scene, camera: Camera, width: float) -> _Marks:
+    """Discs and lines of the contacts, as triangles that face the viewer: corners, triangles, and colours of the corners.
+
+    They lie before the two bodies that touch, which would hide what is between them, and behind all others.
+    """
+    pixel = 2 * camera.half_width / width
+    return _joined([_line_marks(scene, camera, pixel), _spot_marks(scene, camera, pixel)])
+
+
+_NO_MARKS: _Marks = (np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros((0, 3), dtype=np.uint8))
+
+
+def _before_wires(spots: Spots, camera: Camera) -> np.ndarray:
+    """Places of contacts moved towards the viewer, just before the wires that touch there, (m, 3) [m]."""
+    radii = np.where(spots.radii > 0, np.maximum(spots.radii, _MIN_RADIUS * camera.half_width), 0.0)
+    distance = _CLEARANCE * spots.reach(camera.toward, radii)
+    return spots.places + distance[:, None] * camera.toward
+
+
+def _flat(centres: np.ndarray, first: np.ndarray, second: np.ndarray, colours: np.ndarray, sides: int) -> _Marks:
+    """Ellipses of colours (m, 3) with half axes (m, 3)."""
+    corners, triangles = discs_mesh(centres, first, second, sides)
+    return corners.reshape(-1, 3), triangles, np.repeat(colours, sides, axis=0)
+
+
+def _joined(parts: list[_Marks]) -> _Marks:
+    offset = np.cumsum([0, *(len(corners) for corners, _, _ in parts[:-1])])
+    corners, triangles, colours = zip(*parts, strict=True)
+    rows = [first + one for first, one in zip(offset, triangles, strict=True)]
+    return np.concatenate(corners), np.concatenate(rows), np.concatenate(colours)
+
+
+def _spot_marks(scene: Scene, camera: Camera, pixel: float) -> _Marks:
+    """Discs with a white rim; a smaller one lies on a larger one."""
+    if not len(scene.spot_radius):
+        return _NO_MARKS
+    width, height, angle = discs(scene, camera)
+    turn = np.radians(angle)
+    first = np.cos(turn)[:, None] * camera.right + np.sin(turn)[:, None] * camera.up
+    second = np.cos(turn)[:, None] * camera.up - np.sin(turn)[:, None] * camera.right
+    rank = np.argsort(np.argsort(-scene.spot_radius, kind="stable"))
+    thin = _LAYER * scene.radius.min()
+    parts = []
+    sides = _DISC_SIDES if len(rank) <= _MANY_DISCS else _SIDES_OF_MANY
+    rims = np.minimum(_RIM * pixel, _RIM_PART * width / 2)
+    for rim, colour, layer in ((rims, "white", 0.0), (0.0, SPOT_COLOUR, 0.5)):
+        centres = _before_wires(scene.spots, camera) + (thin * (rank + layer) / len(rank))[:, None] * camera.toward
+        half, other_half = (width / 2 + rim)[:, None] * first, (height / 2 + rim)[:, None] * second
+        parts.append(_flat(centres, half, other_half, np.tile(_bytes(colour), (len(rank), 1)), sides))
+    return _joined(parts)
+
+
+def _line_marks(scene: Scene, camera: Camera, pixel: float) -> _Marks:
+    """Ribbons of the colours of the zones between dark rims, and dots at their ends."""
+    if not len(scene.line_pieces):
+        return _NO_MARKS
+    points = _before_wires(scene.lines, camera)
+    half = np.clip(0.5 * _LINE_WIDTH * scene.radius.min(), *(0.5 * pixel * np.array(_LINE_PIXELS)))
+    colour = line_colours()(scene.line_value / (scene.line_limit or 1.0), bytes=True)[:, :3]
+    dark, white = (np.tile(_bytes(one), (len(points), 1)) for one in (_DARK, "white"))
+    thin = _LAYER * scene.radius.min() * camera.toward
+    right, up = np.tile(camera.right, (len(points), 1)), np.tile(camera.up, (len(points), 1))
+    parts = []
+    for layer, wide, colours in ((0, half + _RIM * pixel, dark), (1, half, colour)):
+        parts.append(_ribbons(points + layer * thin, scene.line_pieces, wide, colours, camera))
+    ends = scene.line_ends
+    for layer, wide, colours in ((2, half + 2.5 * _RIM * pixel, white), (3, half + 1.5 * _RIM * pixel, dark)):
+        parts.append(_flat((points + layer * thin)[ends], wide * right[ends], wide * up[ends], colours[ends], 16))
+    return _joined(parts)
+
+
+def _ribbons(points: np.ndarray, pieces: np.ndarray, half: float, colours: np.ndarray, camera: Camera) -> _Marks:
+    """Strips between pairs of points, half of whose width is given."""
+    begin, end = pieces.T
+    along = points[end] - points[begin]
+    across = np.zeros_like(points)
+    # two pieces share the edge at the point between them
+    for side in (begin, end):
+        np.add.at(across, side, np.cross(camera.toward, along))
+    across *= half / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), np.finfo(float).tiny)
+    left, right = points - across, points + across
+    corners = np.stack([left[begin], left[end], right[end], right[begin]], axis=1)
+    rows = 4 * np.arange(len(pieces))[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])
+    of_corners = np.stack([colours[pieces[:, k]] for k in (0, 1, 1, 0)], axis=1)
+    return corners.reshape(-1, 3), rows.reshape(-1, 3), of_corners.reshape(-1, 3)
+
+
+def _bytes(colour: str) -> list[int]:
+    return [round(255 * part) for part in mpl.colors.to_rgb(colour)]
 
 
 def _run_vtk(folder: str, n_pictures: int) -> None:
@@ -107,7 +254,7 @@ def _run_vtk(folder: str, n_pictures: int) -> None:
             break
     if done.returncode < 0:
         raise RenderingError(f"VTK ended by signal {-done.returncode} (is OpenGL missing? apt-get install libosmesa6)")
-    if done.returncode or not Path(folder, f"{n_pictures - 1}.png").is_file():
+    if done.returncode or not Path(folder, f"drawn_{n_pictures - 1}.npz").is_file():
         last = (done.stderr.strip().splitlines() or ["no message"])[-1]
         raise RenderingError(f"VTK produced no picture: {last}")
 
@@ -163,21 +310,21 @@ def _draw_surfaces(axes: Axes, scene: Scene, camera: Camera) -> None:
 
 def _draw_lines(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float) -> None:
     """Zones of contact along lines, on top of the wires, with a dark rim and dots at their ends."""
-    if not len(scene.lines):
+    if not len(scene.line_pieces):
         return
     width = np.clip(_LINE_WIDTH * scene.radius.min() * points_per_metre, *_LINE_WIDTHS)
-    flat = camera.project(scene.lines)
+    flat = camera.project(scene.lines.places)
     pieces = flat[scene.line_pieces]
     order = np.argsort(pieces[:, :, 2].mean(axis=1))
     colour = line_colours()(scene.line_value[scene.line_pieces].mean(axis=1)[order] / (scene.line_limit or 1.0))
-    for wider, colours in ((1.2, "#3a1510"), (0.0, colour)):
+    for wider, colours in ((1.2, _DARK), (0.0, colour)):
         axes.add_collection(
             LineCollection(
                 pieces[order, :, :2], colors=colours, linewidths=width + wider, capstyle="round", zorder=3
             )
         )  # fmt: skip
-    ends = camera.project(scene.line_ends)
-    axes.plot(ends[:, 0], ends[:, 1], "o", markersize=width + 2.0, color="#3a1510", markeredgecolor="white",
+    ends = flat[scene.line_ends]
+    axes.plot(ends[:, 0], ends[:, 1], "o", markersize=width + 2.0, color=_DARK, markeredgecolor="white",
               markeredgewidth=0.7, zorder=3.5)  # fmt: skip
 
 
@@ -188,7 +335,7 @@ def line_colours() -> mpl.colors.Colormap:
 
 def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
     """Discs in the plane of contact, on top of everything: between two wires nothing would be seen of them."""
-    if not len(scene.spots):
+    if not len(scene.spot_radius):
         return
     order = np.argsort(-scene.spot_radius)
     width, height, angle = (values[order] for values in discs(scene, camera))
@@ -198,7 +345,7 @@ def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:
             height,
             angle,
             units="xy",
-            offsets=camera.project(scene.spots[order])[:, :2],
+            offsets=camera.project(scene.spots.places[order])[:, :2],
             offset_transform=axes.transData,
             facecolors=SPOT_COLOUR,
             edgecolors="white",
@@ -215,7 +362,7 @@ def discs(scene: Scene, camera: Camera) -> tuple[np.ndarray, np.ndarray, np.ndar
     Very small discs are drawn larger, all by the same factor, and those seen from their edge keep some thickness.
     """
     diameter = 2 * max(1.0, _MIN_SPOT * camera.half_width / scene.spot_radius.max()) * scene.spot_radius
-    normal = camera.turn(scene.spot_normal)
+    normal = camera.turn(scene.spots.normals)
     thickness = np.clip(np.abs(normal[:, 2]), _MIN_THICKNESS, 1.0)
     return diameter, diameter * thickness, np.degrees(np.arctan2(normal[:, 1], normal[:, 0])) + 90
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..errors import FileError
 from ..pictures.friction_charts import has_friction
-from ..pictures.plots import KINDS_IN_INCHES, plot, plot_wires
+from ..pictures.plots import KINDS_IN_INCHES, begin_wires, plot
 from ..results import Results
 from ..results.contact_history import has_lines
 from ..results.scalars import default_scalar
@@ -164,10 +164,13 @@ def _pictures(results: Results) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         paths = [Path(folder, f"{number}.webp") for number in range(len(wanted))]
         wires = [number for number, (kind, _, _) in enumerate(wanted) if kind == "wires"]
-        plot_wires(results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES)
+        finish = begin_wires(
+            results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES
+        )
         for (kind, _, _), picture in zip(wanted, paths, strict=True):
             if kind != "wires":
                 plot(results, kind, picture, size=_sizes(kind))
+        finish()
         figures = [_figure(picture, text) for picture, (_, text, _) in zip(paths, wanted, strict=True)]
     return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
 

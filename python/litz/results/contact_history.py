@@ -9,9 +9,14 @@ from .contact_places import contact_places
 from .contact_zones import contact_zones
 from .result_file import ResultFile
 
+#: Contact forces below this part of the largest are round-off
+FORCE_ROUND_OFF = 1e-9
+
 
 def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.ndarray) -> Table:
     """Numbers of crossings by themselves and of zones, the sum of all forces, and the largest force per length.
+
+    Contacts whose force is only round-off do not count.
 
     Parameters
     ----------
@@ -23,7 +28,9 @@ def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.nd
     lines = has_lines(results)
     columns = {name: np.zeros(len(steps), dtype=int) for name in ("crossings", "zones")}
     columns |= {name: np.zeros(len(steps)) for name in ("force", "max_force_per_length")}
-    for place, rows in enumerate(_rows_of_increments(ledger, steps, increments)):
+    pressed = np.abs(ledger["force"]) >= FORCE_ROUND_OFF * np.abs(ledger["force"]).max(initial=0.0)
+    for place, every in enumerate(_rows_of_increments(ledger, steps, increments)):
+        rows = every[pressed[every]]
         columns["force"][place] = ledger["force"][rows].sum()
         columns["crossings"][place] = len(rows)
         if lines and len(rows):

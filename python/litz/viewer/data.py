@@ -23,10 +23,14 @@ from ..wires.curves import element_curves
 _PLACE_IN_TIME = ("step", "increment", "time")
 _COLOUR_MAPS = ("viridis", "coolwarm")
 _DIGITS = 8
+# Largest power of ten that floating-point numbers have exactly
+_EXACT_POWER = 22
 # Radii of the lines of contact and of the marks at their ends, in radii of the thinner wire
 _LINE_RADIUS, _END_RADIUS = 0.3, 0.55
 # Length of a mark, in distances of places
 _END_PART = 0.6
+# How much nearer to the viewer the lines of contact are drawn, in radii of the thicker wire
+_WIRES_BEFORE = 2.2
 
 
 class WebData:
@@ -104,17 +108,17 @@ class WebData:
         contacts = ledger.where(places.zone < 0)
         zones = contact_zones(places, results.unit_labels)
         fields = {name for scalar in self._ranges.values() for name in scalar["fields"]}
-        now, normals, radii = all_spots(results, contacts, on_surfaces, curves)
-        rest, _, _ = all_spots(results, contacts, on_surfaces, self._rest)
+        now, rest = (all_spots(results, contacts, on_surfaces, each) for each in (curves, self._rest))
         return _json(
             {
                 "curves": _base64(self._packed(curves), np.float32),
                 "fields": {name: _base64(results.field(name, index), np.float32) for name in sorted(fields)},
                 "spots": {
-                    "rest": _base64(rest - self._centre, np.float32),
-                    "now": _base64(now - self._centre, np.float32),
-                    "normals": _base64(normals, np.float32),
-                    "radii": _base64(radii, np.float32),
+                    "rest": _base64(rest.places - self._centre, np.float32),
+                    "now": _base64(now.places - self._centre, np.float32),
+                    "normals": _base64(now.normals, np.float32),
+                    "radii": _base64(now.radii, np.float32),
+                    "tangents": _base64(now.tangents, np.float32),
                 },
                 "contacts": _with_surfaces(contacts, on_surfaces),
                 "surfaces": [
@@ -129,8 +133,8 @@ class WebData:
         """The pieces of the zones: their curves, values at both ends, radii, and the row of the zone of each."""
         lines = zone_lines(places)
         rows = places.ledger.where(lines.rows)
-        now, _, radius = spot_places(self._results, rows, curves)
-        rest, _, _ = spot_places(self._results, rows, self._rest)
+        now, rest = (spot_places(self._results, rows, each) for each in (curves, self._rest))
+        radius = now.thinner
         pieces, ends = lines.pieces, _collars(lines)
         first, second = np.concatenate([pieces, ends[:, :2].astype(int)]).T
         # what marks an end is a short, thick piece
@@ -143,11 +147,13 @@ class WebData:
             return _base64(np.stack([begin, begin + along, along / 2, along / 2], axis=1), np.float32)
 
         return {
-            "rest": straight(rest),
-            "now": straight(now),
+            "rest": straight(rest.places),
+            "now": straight(now.places),
             "values": _base64(np.stack([value[first], value[second]], axis=1), np.float32),
             "radii": _base64(size * radius[first], np.float32),
             "zones": _base64(lines.zone[first], np.int32),
+            # the marks are between two wires, whose fronts are not farther away than this
+            "before": float(_WIRES_BEFORE * now.radii.max(initial=0.0)),
         }
 
     @cached_property
@@ -243,16 +249,28 @@ def _counted_from_one(name: str, values: np.ndarray) -> np.ndarray:
 
 
 def _column(values: np.ndarray) -> list:
+    """Numbers with few digits; JSON has no infinity: the viewer shows text unchanged, and a dash for None."""
     if values.dtype.kind in "iU":
         return values.tolist()
-    return [_number(value) for value in values.tolist()]
+    column = _rounded(values).tolist()
+    for row in np.flatnonzero(~np.isfinite(values)).tolist():
+        column[row] = None if math.isnan(column[row]) else "∞" if column[row] > 0 else "-∞"
+    return column
 
 
-def _number(value: float) -> float | str | None:
-    """JSON has no infinity: the viewer shows text unchanged, and a dash for None."""
-    if math.isinf(value):
-        return "∞" if value > 0 else "-∞"
-    return None if math.isnan(value) else float(f"{value:.{_DIGITS}g}")
+def _rounded(values: np.ndarray) -> np.ndarray:
+    """Numbers rounded to `_DIGITS` significant digits, which is how many Python writes of them.
+
+    A whole number times or over a power of ten that is exact is the number nearest to its decimals; numbers so small or large
+    that the power is not are left as they are.
+    """
+    known = np.isfinite(values) & (values != 0)
+    size = np.log10(np.abs(values), out=np.zeros(len(values)), where=known)
+    shift = _DIGITS - 1 - np.floor(size)
+    known &= np.abs(shift) <= _EXACT_POWER
+    shift = np.where(known, shift, 0.0)
+    up, down = 10.0 ** np.maximum(shift, 0), 10.0 ** np.maximum(-shift, 0)
+    return np.where(known, np.rint(values * up / down) / up * down, values)
 
 
 def _base64(values: np.ndarray, kind: type) -> str:

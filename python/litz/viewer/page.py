@@ -3,6 +3,7 @@
 import base64
 import gzip
 import html
+import json
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,8 @@ _MODULES = {
     },
 }
 _ICON = "data:,"
+# Of gzip: more takes longer and gains nothing
+_COMPRESSION = 6
 
 
 def page(title: str, body: str, style: str = "") -> str:
@@ -64,18 +67,16 @@ def _embedded(data: WebData) -> str:
 
 
 def _zipped(text: str) -> str:
-    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode()
+    return base64.b64encode(gzip.compress(text.encode(), _COMPRESSION, mtime=0)).decode()
 
 
 def _scripts() -> str:
-    """All modules as addresses that hold their own text, so that a page opened from a file can load them."""
-    imports = ",\n".join(
-        f'"{name}": "data:text/javascript;base64,{base64.b64encode(_text(file).encode()).decode()}"'
-        for name, file in _MODULES.items()
-    )
+    """All modules, compressed, and what turns them into addresses that hold their own text, which also a local page can load."""
+    modules = _zipped(json.dumps({name: _text(file) for name, file in _MODULES.items()}))
+    loader = _text("loader.js")
     return (
-        f'<script type="importmap">{{"imports": {{\n{imports}\n}}}}</script>\n'
-        '<script type="module">import "litz/viewer.js";</script>\n'
+        f'<script type="text/plain" id="litz-modules">{modules}</script>\n'
+        f'<script type="text/javascript">\n{loader}</script>\n'
     )
 
 

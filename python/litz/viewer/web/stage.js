@@ -58,6 +58,16 @@ export class Stage {
       this.draw();
    }
 
+   /** Unit vector to the viewer. */
+   get toward() {
+      return this.camera.position.clone().sub(this.controls.target).normalize();
+   }
+
+   /** What is seen in depth [m]. */
+   get depth() {
+      return this.camera.far - this.camera.near;
+   }
+
    get pixelsPerMetre() {
       return (this.element.clientWidth * this.camera.zoom) / (this.camera.right - this.camera.left);
    }

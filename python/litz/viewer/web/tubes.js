@@ -17,7 +17,7 @@ const VERTEX = `
    attribute vec2 ends;
    attribute float radius;
    uniform float minRadius;
-   uniform vec2 depth;      // 1, 0: as it is
+   uniform float before;
    varying vec3 viewNormal;
    varying float value;
 
@@ -37,7 +37,7 @@ const VERTEX = `
       viewNormal = normalMatrix * normal;
       value = mix(ends.x, ends.y, (1. + xi) / 2.);
       gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.);
-      gl_Position.z = depth.x * gl_Position.z + depth.y * gl_Position.w;
+      gl_Position.z -= 2. * before * gl_Position.w;
    }`;
 
 const FRAGMENT = `
@@ -59,8 +59,8 @@ const FRAGMENT = `
 
 /** The tubes of a model. */
 export class Tubes {
-   /** rest: the undeformed curves, twelve floats per element; radii: one float per element; overlay: drawn in front of everything else. */
-   constructor(rest, radii, overlay = false) {
+   /** rest: the undeformed curves, twelve floats per element; radii: one float per element; before: how much nearer to the viewer they are drawn, as a share of what is seen in depth. */
+   constructor(rest, radii, before = 0) {
       this.rest = rest;
       const n = radii.length;
       this.curves = new Float32Array(rest);
@@ -80,7 +80,7 @@ export class Tubes {
       this.material = new ShaderMaterial({
          vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
          uniforms: { colours: { value: null }, limits: { value: [0, 1] }, minRadius: { value: 0 },
-            depth: { value: overlay ? [0.1, -0.85] : [1, 0] } },
+            before: { value: before } },
       });
       this.mesh = new Mesh(geometry, this.material);
       this.mesh.frustumCulled = false;

@@ -23,13 +23,14 @@ class Viewer {
       this.reference = referenceLines(rest);
       this.spots = new Spots(this.stage.scene);
       this.surfaces = new Surfaces(this.stage.scene, model.surfaces);
-      this.zones = new Zones(this.stage.scene);
+      this.zones = new Zones(this.stage.scene, this.stage.depth);
       this.ledger = new Ledger(root, model.ledger, model.surface_ledger, model.zones.columns, (id) => this.select(id));
       this.tables = Object.fromEntries(Object.entries(model.colours).map(([name, text]) => [name, bytes(text)]));
       this.stage.scene.add(this.tubes.mesh, this.reference);
       this.stage.beforeDraw(() => {
-         this.tubes.setMinRadius(MIN_PIXELS / this.stage.pixelsPerMetre);
-         this.spots.place(this.stage.pixelsPerMetre);
+         const minRadius = MIN_PIXELS / this.stage.pixelsPerMetre;
+         this.tubes.setMinRadius(minRadius);
+         this.spots.place(this.stage.pixelsPerMetre, this.stage.toward, minRadius);
          this.zones.place(this.stage.pixelsPerMetre);
          drawCompass(this.find("compass"), this.stage, model.units.m);
       });
@@ -111,13 +112,14 @@ class Viewer {
       const { data, model } = this;
       const by = this.find("spot-size").value;
       const n = by === "none" ? 0 : data.contacts.id.length;
-      const [rest, now, normals] = [data.spots.rest, data.spots.now, data.spots.normals].map(floats);
+      const [rest, now, normals, tangents] = ["rest", "now", "normals", "tangents"].map((name) => floats(data.spots[name]));
       const at = (values, k) => new Vector3(...values.subarray(3 * k, 3 * k + 3));
       const places = Array.from({ length: n }, (_, k) => at(rest, k).lerp(at(now, k), factor));
       const directions = Array.from({ length: n }, (_, k) => at(normals, k));
       this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
       const sizes = n ? data.contacts[by] : [];
-      this.spots.set(places, directions, sizes, model.largest[by], floats(data.spots.radii));
+      this.spots.set(places, directions, sizes, model.largest[by], floats(data.spots.radii),
+         Array.from({ length: 2 * n }, (_, k) => at(tangents, k)));
       this.find("spot-note").textContent = this.spotNote(by, n);
    }
 

@@ -1,4 +1,4 @@
-/** Zones of contact along lines: coloured by the force per length, drawn in front of the wires so that they are not hidden. */
+/** Zones of contact along lines: coloured by the force per length, drawn before the two wires that touch, which would hide them. */
 
 import { Vector3 } from "three";
 import { floats, integers } from "litz/data.js";
@@ -9,8 +9,10 @@ const SELECTED_SCALE = 1.8;
 
 /** The lines of one increment. */
 export class Zones {
-   constructor(scene) {
+   /** depth: what is seen in depth [m]. */
+   constructor(scene, depth) {
       this.scene = scene;
+      this.depth = depth;
       this.tubes = null;
       this.middles = [];
       this.zones = [];
@@ -24,7 +26,7 @@ export class Zones {
       if (!radii.length) return;
       this.radii = Float32Array.from(radii);
       this.zones = integers(lines.zones);
-      this.tubes = new Tubes(floats(lines.rest), radii, true);
+      this.tubes = new Tubes(floats(lines.rest), radii, lines.before / this.depth);
       this.tubes.setShape(floats(lines.now), factor);
       this.tubes.setValues(floats(lines.values));
       this.tubes.setColours(table, limits);
