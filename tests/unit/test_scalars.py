@@ -53,6 +53,16 @@ def test_vectors_have_components_and_a_length(results):
     np.testing.assert_allclose(length, np.linalg.norm(displacement, axis=1))
 
 
+def test_heat_per_length_does_not_depend_on_the_length_of_elements(results):
+    heat = find_scalar(results, "joule_heat_per_length")
+    assert (heat.unit, heat.at_nodes) == ("W/m", False)
+    ends = results.nodes[results.elements]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    per_length = scalar_values(results, heat, -1)
+    assert per_length.any()
+    np.testing.assert_allclose(per_length * length, results.field("joule_heat"))
+
+
 def test_the_bending_moment_is_that_of_both_axes(results):
     both = scalar_values(results, find_scalar(results, "bending_moment"), -1)
     parts = [results.field(f"bending_moment_{axis}") for axis in (2, 3)]

@@ -37,8 +37,9 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     _draw_wires(figure, axes, places, graph, wire_names(results, results.wires), results.unit_labels["V"])
     factor, unit = engineering(size, results.unit_labels[{"current": "A", "force": "N"}[by]])
     largest = f"; the thickest line is {size.max() * factor:.3g} {unit}" if len(size) else ""
+    counts = f"{_counted(n_wires, 'wire')}, {_counted(len(graph.id), 'contact')}"
     figure.suptitle(
-        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {_counted(n_wires, 'wire')}, {_counted(len(graph.id), 'contact')}",
+        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {counts}",
         x=0.005, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",

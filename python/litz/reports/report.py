@@ -138,7 +138,7 @@ def _pictures(results: Results) -> list[str]:
     ]
     contacts, field = results.contacts, lambda name: results.field(name).any()
     if field("joule_heat"):
-        wanted.append(("wires", "Joule heat in each element.", {"field": "joule_heat"}))
+        wanted.append(("wires", "Joule heat per length of the wires.", {"field": "joule_heat_per_length"}))
     if "temperature" in results.fields:
         wanted.append(("wires", "Temperature.", {"field": "temperature"}))
     wanted.append(("wires", "Bending moment.", {"field": "bending_moment"}))

@@ -18,6 +18,8 @@ _BOOKKEEPING = (
     "reference_position",
 )
 _AXES = "xyz"
+# Heat of an element depends on its length; this does not
+_HEAT, _HEAT_PER_LENGTH = "joule_heat", "joule_heat_per_length"
 _SEQUENTIAL = "viridis"
 _DIVERGING = "coolwarm"
 # A smaller range relative to the values is round-off
@@ -34,7 +36,7 @@ class Scalar:
         How it is asked for: a field of the file (a vector stands for its length), `FIELD.x`, `FIELD.y` or `FIELD.z`, or
         `NAME` where the file has `NAME_2` and `NAME_3`, for the length of both.
     fields : tuple of str
-        The fields of the file it is made of.
+        What `scalar_field` has of it: fields of the file, or one that follows from them.
     component : int or None
         Component of a vector; None for its length, and for scalars.
     unit : str
@@ -88,6 +90,11 @@ def scalars(results: ResultFile) -> dict[str, Scalar]:
                 found[one] = Scalar(one, (name,), component, unit, at_nodes, f"{name} {axis}")
         else:
             found[name] = Scalar(name, (name,), None, unit, at_nodes, name)
+        if name == _HEAT:
+            per_length = f"{unit}/{results.unit_labels['m']}"
+            found[_HEAT_PER_LENGTH] = Scalar(
+                _HEAT_PER_LENGTH, (_HEAT_PER_LENGTH,), None, per_length, at_nodes, "Joule heat per length"
+            )
     for name in names:
         base, pair = name[:-2], (name, f"{name[:-2]}_3")
         if name.endswith("_2") and pair[1] in names and base not in found:
@@ -112,7 +119,15 @@ def default_scalar(results: ResultFile, increment: int) -> str:
 
 def scalar_values(results: ResultFile, scalar: Scalar, increment: int) -> np.ndarray:
     """Values at the nodes (n_nodes) or elements (n_elements), in the unit of the scalar."""
-    return scalar.of([results.field(field, increment) for field in scalar.fields])
+    return scalar.of([scalar_field(results, field, increment) for field in scalar.fields])
+
+
+def scalar_field(results: ResultFile, name: str, increment: int) -> np.ndarray:
+    """A field of `Scalar.fields` at an increment, (n) or (n, 3): one of the file, or Joule heat per length [W/m]."""
+    if name != _HEAT_PER_LENGTH:
+        return results.field(name, increment)
+    first, second = results.nodes[results.elements].transpose(1, 0, 2)
+    return results.field(_HEAT, increment) / np.linalg.norm(second - first, axis=1)
 
 
 def end_values(results: ResultFile, scalar: Scalar, increment: int) -> np.ndarray:

@@ -15,7 +15,7 @@ from ..pictures.wire_picture import line_colours
 from ..results import Results
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import contact_zones
-from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalars
+from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalar_field, scalars
 from ..results.surface_patches import Patch, surface_patches
 from ..results.zone_lines import ZoneLines, largest_force_per_length, zone_lines
 from ..wires.curves import element_curves
@@ -112,7 +112,7 @@ class WebData:
         return _json(
             {
                 "curves": _base64(self._packed(curves), np.float32),
-                "fields": {name: _base64(results.field(name, index), np.float32) for name in sorted(fields)},
+                "fields": {name: _base64(scalar_field(results, name, index), np.float32) for name in sorted(fields)},
                 "spots": {
                     "rest": _base64(rest.places - self._centre, np.float32),
                     "now": _base64(now.places - self._centre, np.float32),
@@ -177,7 +177,7 @@ class WebData:
         fields = {field for scalar in known.values() for field in scalar.fields}
         limits = dict.fromkeys(known, (np.inf, -np.inf))
         for index in self.increments:
-            values = {field: self._results.field(field, index) for field in fields}
+            values = {field: scalar_field(self._results, field, index) for field in fields}
             for name, scalar in known.items():
                 one = scalar.of([values[field] for field in scalar.fields])
                 low, high = limits[name]
