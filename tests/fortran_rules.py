@@ -25,6 +25,7 @@ DICTATED = {
     "interfaces/f2py_contact_em.f90": "f2py takes no derived types",
     "interfaces/f2py_heat.f90": "f2py takes no derived types",
     "interfaces/f2py_line.f90": "f2py takes no derived types",
+    "interfaces/f2py_superconductor.f90": "f2py takes no derived types",
     "interfaces/f2py_surface.f90": "f2py takes no derived types",
     "interfaces/f2py_yielding.f90": "f2py takes no derived types",
     "solvers/umfpack.f90": "the C interface of UMFPACK",

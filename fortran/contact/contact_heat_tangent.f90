@@ -208,8 +208,9 @@ contains
       real(dp), intent(out) :: even_heat
       real(dp) :: even, deven, dresistance
 
-      even_heat = 0
       associate (element => self%elements(k))
+         even_heat = element%heat_by_voltage*(potential(element%nodes(1)) - potential(element%nodes(2))) &
+            + element%heat_by_temperature*sum(temperature(element%nodes))
          if (.not. element%resistance > 0) return
          even = self%drop(k)/element%resistance
          dresistance = element%dresistivity*sum(temperature(element%nodes))/2

@@ -6,7 +6,7 @@ module litz_contact_heat_term
    use litz_kinds, only: dp
    use litz_contact_forces, only: conductors_of, conducts_apart, set_current
    use litz_contact_points, only: contact_set_t, contact_point_t
-   use litz_domain, only: domain_t
+   use litz_domain, only: domain_t, element_flow_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
    use litz_friction_heat, only: find_rubbing
@@ -221,6 +221,7 @@ contains
       !> Element
       integer, intent(in) :: e
       real(dp) :: value, slope
+      type(element_flow_t) :: flow
 
       element%nodes = domain%model%connectivity(:, e)
       element%even_heat = domain%element_heat(e)
@@ -229,7 +230,11 @@ contains
          call property_at(material%heat_conductivity, domain%mean_temperature(e), value, slope)
          element%dconductivity = slope/value
          call domain%resistivity(e, value, slope)
-         if (value > 0) then
+         if (domain%elements%superconducting(e)) then
+            flow = domain%flow_in(e)
+            element%heat_by_voltage = material%joule_fraction*(flow%current + flow%by_voltage*flow%voltage)
+            element%heat_by_temperature = material%joule_fraction*flow%by_temperature*flow%voltage
+         else if (value > 0) then
             element%resistance = value*domain%conduction_length(e)/domain%elements%area(e)
             element%dresistivity = slope/value
          end if

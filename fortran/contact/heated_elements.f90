@@ -21,6 +21,9 @@ module litz_heated_elements
       real(dp) :: series = 0, heat_series = 0, steady_heat_series = 0
       !> Derivatives of ln(rho) and ln(lambda) by the mean temperature [1/K]
       real(dp) :: dresistivity = 0, dconductivity = 0
+      !> Of superconducting filaments: derivatives of the heat by V1 - V2 [A] and by the temperature of either node
+      !> [W/K]
+      real(dp) :: heat_by_voltage = 0, heat_by_temperature = 0
       !> Part of the electric power that becomes heat, and all heat that enters it evenly [W]
       real(dp) :: heat_fraction = 1, even_heat = 0
    end type heated_element_t

@@ -54,6 +54,8 @@ contains
       pair%radius = model%sections(model%element_section(both))%contact_radius + point%lens%of_ball
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
          pair%series_resistance = elements%resistivity(both)*elements%length(both)/(4*elements%area(both))
+         ! filaments carry the current without a voltage
+         where (elements%superconducting(both)) pair%series_resistance = 0
       end if
    end function wires_of
 

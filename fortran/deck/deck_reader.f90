@@ -250,7 +250,7 @@ contains
          type(material_t), intent(in) :: material
 
          depends_on_temperature = has_thermal_mechanics(material) .or. allocated(material%heat_conductivity) .or. &
-            has_thermal_resistivity(material)
+            has_thermal_resistivity(material) .or. allocated(material%superconductor)
       end function depends_on_temperature
 
       subroutine warn(card, kind, words)

@@ -13,6 +13,7 @@ module litz_model_keywords
    use litz_heat_law, only: all_heat_laws
    use litz_spot_laws, only: all_spot_laws
    use litz_stick_laws, only: stick_laws
+   use litz_superconductor_keywords, only: add_superconductor
    implicit none
    private
    public :: add_general, add_mesh, add_constraints, add_initial_values, add_properties, add_contact
@@ -215,7 +216,8 @@ contains
       of_temperature = real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the'// &
          ' table', required=.false.)
       call begin(k, 'MATERIAL', place_model, 'Begins a material; *ELASTIC, *EXPANSION, *ELECTRICAL CONDUCTIVITY,'// &
-         ' *CONDUCTIVITY, *JOULE HEAT FRACTION, *DENSITY, *SPECIFIC HEAT and *LATENT HEAT follow it.')
+         ' *SUPERCONDUCTOR, *CONDUCTIVITY, *JOULE HEAT FRACTION, *DENSITY, *SPECIFIC HEAT and *LATENT HEAT follow'// &
+         ' it.')
       call k%add(name('NAME', 'name of the material', required=.true.))
       call finish(table, k)
 
@@ -255,6 +257,7 @@ contains
       call k%add_data([real_field('fraction', '-', 'from 0 to 1', limit_not_negative)])
       call finish(table, k)
 
+      call add_superconductor(table)
       call add_storage(table, of_temperature)
       call add_sections(table)
       call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &

@@ -1,6 +1,7 @@
 !> *MATERIAL and *AMPLITUDE with what belongs to them.
 module litz_read_properties
    use litz_kinds, only: dp
+   use litz_critical_law, only: superconductor_t
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_model, only: model_t
@@ -8,6 +9,7 @@ module litz_read_properties
       n_cards_of, may_be_used
    use litz_data_lines, only: read_line, read_only_line
    use litz_definitions, only: add_definition
+   use litz_read_superconductor, only: read_superconductor
    implicit none
    private
    public :: read_materials, read_amplitudes, report_unused
@@ -18,6 +20,7 @@ contains
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
       real(dp), allocatable :: table(:, :)
+      type(superconductor_t) :: superconductor
       integer :: card, material, i
       logical :: ok
 
@@ -68,6 +71,14 @@ contains
             end associate
          case ('DENSITY', 'SPECIFIC HEAT', 'LATENT HEAT')
             call read_storage(self, model, card, material)
+         case ('SUPERCONDUCTOR')
+            call read_superconductor(self, card, superconductor)
+            if (material == 0) cycle
+            associate (this => model%materials(material))
+               if (allocated(this%superconductor)) call fail_at(self, self%deck%cards(card)%name, &
+                  'the material '//this%name//' has two *SUPERCONDUCTOR')
+               this%superconductor = superconductor
+            end associate
          case ('JOULE HEAT FRACTION')
             call read_only_line(self, card, ok)
             if (.not. ok .or. material == 0) cycle
@@ -79,6 +90,10 @@ contains
       end do
       model%materials = model%materials(:self%materials%names%n)
       do i = 1, size(model%materials)
+         if (allocated(model%materials(i)%superconductor) .and. .not. model%materials(i)%conductivity > 0) then
+            call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name// &
+               ' has *SUPERCONDUCTOR, but no *ELECTRICAL CONDUCTIVITY of the metal around it')
+         end if
          if (model%materials(i)%young > 0) cycle
          call fail_at(self, self%materials%token(i), 'the material '//model%materials(i)%name//' has no *ELASTIC')
       end do

@@ -23,6 +23,10 @@ module litz_conductor_heat
       real(dp) :: length = 0, area = 0
       !> rho [ohm m], and its derivative by the temperature [ohm m/K]; 0: an insulator
       real(dp) :: resistivity = 0, dresistivity = 0
+      !> The current is given to first order, in place of the resistivity: the current [A], its derivatives by V1 - V2
+      !> [S] and by the temperature of either node [A/K]
+      logical :: has_current = .false.
+      real(dp) :: current = 0, by_voltage = 0, by_temperature = 0
       !> lambda [W/(m K)] and its derivative [W/(m K^2)]
       real(dp) :: conductivity = 0, dconductivity = 0
       !> eta: part of the electric power that becomes heat
@@ -39,6 +43,8 @@ module litz_conductor_heat
       real(dp) :: current = 0, joule_heat = 0
       !> Through the film [W]
       real(dp) :: to_surroundings = 0
+      !> t
+      real(dp) :: nodal_share = 1
    end type heat_flows_t
 
    !> Below this `w^2` the slope of t comes from its series
@@ -56,18 +62,23 @@ contains
       !> Currents and heat that leave the nodes (4) [A, W]
       real(dp), intent(out) :: r(4)
       type(heat_flows_t), intent(out) :: flows
-      real(dp) :: g, dg, dv, t, dt, along, dalong, across, dacross, made, source, dsource(4), excess, drop
+      real(dp) :: g, by_temperature, dv, t, dt, along, dalong, across, dacross, made, source, dsource(4), excess, drop
 
       dv = v(1) - v(2)
       drop = temperature(1) - temperature(2)
       excess = temperature(1) - wire%sink + (temperature(2) - wire%sink)
       g = 0
-      dg = 0
-      if (wire%resistivity > 0) then
+      by_temperature = 0                                                         ! of either node
+      flows%current = 0
+      if (wire%has_current) then
+         flows%current = wire%current
+         g = wire%by_voltage
+         by_temperature = wire%by_temperature
+      else if (wire%resistivity > 0) then
          g = wire%area/(wire%resistivity*wire%length)
-         dg = -g*wire%dresistivity/(2*wire%resistivity)                          ! by either nodal temperature
+         flows%current = g*dv                                                                              ! (1)
+         by_temperature = -flows%current*wire%dresistivity/(2*wire%resistivity)
       end if
-      flows%current = g*dv                                                                                 ! (1)
       flows%joule_heat = wire%heat_fraction*flows%current*dv
 
       call nodal_share(wire, t, dt)
@@ -77,15 +88,17 @@ contains
       dacross = wire%film*wire%length/4*dt
       made = flows%joule_heat + wire%source
       source = made*t/2
-      dsource = [wire%heat_fraction*t*g*dv*[1, -1], (wire%heat_fraction*dg*dv**2*t + made*dt)/2*[1, 1]]
+      dsource = [wire%heat_fraction*t*(flows%current + g*dv)/2*[1, -1], &
+         (wire%heat_fraction*by_temperature*dv*t + made*dt)/2*[1, 1]]
 
       r = [flows%current*[1, -1], along*drop*[1, -1] + across*excess - source]                             ! (1), (2)
-      k(1, :) = [g*[1, -1], dg*dv*[1, 1]]
+      k(1, :) = [g*[1, -1], by_temperature*[1, 1]]
       k(2, :) = -k(1, :)
       k(3, :) = [0.0_dp, 0.0_dp, along + dalong*drop, -along + dalong*drop]
       k(4, :) = -k(3, :)
       k(3:4, 3:4) = k(3:4, 3:4) + across + dacross*excess
       k(3:4, :) = k(3:4, :) - spread(dsource, 1, 2)
+      flows%nodal_share = t
       flows%to_surroundings = 2*across*excess + made*(1 - t)
    end subroutine conductor_heat
 

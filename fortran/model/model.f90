@@ -3,6 +3,7 @@
 !> Node and element indices run from 1 without gaps; `node_id` and `element_id` hold the user's numbers.
 module litz_model
    use litz_kinds, only: dp
+   use litz_critical_law, only: superconductor_t
    use litz_element_loads, only: element_load_t
    use litz_fields, only: fields, n_fields, field_potential, field_temperature, group_transport
    use litz_heat_law, only: heat_law_t
@@ -82,6 +83,8 @@ module litz_model
       real(dp), allocatable :: specific_heat(:, :)
       !> Heat of changes of phase [J/kg], and the temperatures between which it is taken up [K] (3, n); not there: none
       real(dp), allocatable :: latent_heat(:, :)
+      !> Filaments that superconduct; not there: none
+      type(superconductor_t), allocatable :: superconductor
    end type material_t
 
    type :: section_t

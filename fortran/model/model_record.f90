@@ -9,6 +9,7 @@
 module litz_model_record
    use litz_kinds, only: dp, int64
    use litz_checksum, only: checksum
+   use litz_critical_law, only: superconductor_t, critical_table
    use litz_element_loads, only: load_label, n_load_kinds
    use litz_fields, only: fields, n_fields, n_slots, field_displacement, field_temperature, field_of_dof, slot_of_dof
    use litz_law_words, only: law_words_t
@@ -149,6 +150,7 @@ contains
                if (size(this%resistivity, 2) > 1) call record%list('table of *ELECTRICAL CONDUCTIVITY', &
                   this%resistivity)
             end if
+            if (allocated(this%superconductor)) call record_superconductor(record, this%superconductor)
             if (allocated(this%heat_conductivity)) then
                call record%list('*CONDUCTIVITY', this%heat_conductivity)
                call record%value('*JOULE HEAT FRACTION', this%joule_fraction)
@@ -163,6 +165,24 @@ contains
          end associate
       end do
    end subroutine record_sections
+
+   !> What *SUPERCONDUCTOR says.
+   pure subroutine record_superconductor(record, this)
+      type(record_t), intent(inout) :: record
+      type(superconductor_t), intent(in) :: this
+
+      call record%value('LAW of *SUPERCONDUCTOR', this%law)
+      call record%list('N, EC, part of the cross-section, FIELD and STRAIN of *SUPERCONDUCTOR', reshape([ &
+         this%exponent, this%criterion, this%fraction, this%field, this%strain], [1, 5]))
+      if (this%law == critical_table) then
+         call record%list('temperatures of *SUPERCONDUCTOR', reshape(this%temperature, [1, size(this%temperature)]))
+         call record%list('flux densities of *SUPERCONDUCTOR', reshape(this%flux_density, &
+            [1, size(this%flux_density)]))
+         call record%list('critical current densities', this%density)
+      else
+         call record%list('parameters of *SUPERCONDUCTOR', reshape(this%parameters, [1, size(this%parameters)]))
+      end if
+   end subroutine record_superconductor
 
    pure subroutine record_rigid_body(model, body, record)
       type(model_t), intent(in) :: model

@@ -92,6 +92,8 @@ contains
             else
                line = line//', insulator'
             end if
+            if (allocated(this%superconductor)) line = line//', superconductor in '// &
+               to_text(100*this%superconductor%fraction)//' %, n = '//to_text(this%superconductor%exponent)
             if (allocated(this%heat_conductivity)) line = line//', lambda = '// &
                to_text(this%heat_conductivity(2, 1))//' '//model%units%label('W/(m K)')// &
                of_table(size(this%heat_conductivity, 2), this%heat_conductivity(1, 1))

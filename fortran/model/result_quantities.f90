@@ -56,6 +56,16 @@ contains
          'current per area of the cross-section, from the first to the second node', state%current_density)
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
+      if (state%has_superconductors) then
+         call add(list, on_cells, 'electric_field', 'V/m', 'electric field along a wire with superconducting'// &
+            ' filaments', state%superconductors, 1, 1, 'SC', 'EFIELD')
+         call add(list, on_cells, 'critical_current', 'A', 'critical current of the filaments at the temperature,'// &
+            ' flux density and strain of the element', state%superconductors, 2, 1, 'SC', 'IC')
+         call add(list, on_cells, 'critical_fraction', '1', 'current over the critical one, 1e9 at most', &
+            state%superconductors, 3, 1, 'SC', 'IFRAC')
+         call add(list, on_cells, 'joule_heat_per_length', 'W/m', 'heat from the current per length of a wire with'// &
+            ' superconducting filaments', state%superconductors, 4, 1, 'SC', 'JLENGTH')
+      end if
       if (state%has_section_results) call list_section_results(state, list)
       if (state%has_line_loads) call add(list, on_cells, 'line_load', 'N/m', &
          'force per reference length of *DLOAD and *LORENTZ', state%line_load, 1, 3, 'DLOAD')

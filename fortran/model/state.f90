@@ -136,6 +136,10 @@ module litz_state
       !> largest and smallest axial strain and stress of any fibre (8, n_elements) [-, 1/m, Pa]
       logical :: has_section_results = .true.
       real(dp), allocatable :: section_ends(:, :), section_strains(:, :)
+      !> Some material has superconducting filaments: electric field [V/m], critical current [A], current over the
+      !> critical one, and heat per length [W/m] of each element (4, n_elements); 0 in others
+      logical :: has_superconductors = .true.
+      real(dp), allocatable :: superconductors(:, :)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)

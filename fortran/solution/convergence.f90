@@ -4,7 +4,7 @@
 module litz_convergence
    use litz_kinds, only: dp
    use litz_audit, only: scales_t, vanishing
-   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential
    use litz_model, only: model_t, step_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
@@ -55,11 +55,14 @@ contains
       end do
    end subroutine measure_residual
 
-   !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes).
+   !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes). At the nodes
+   !> of superconducting filaments it is at least by what their current differs from that of the law, to first order:
+   !> wires that are alike balance at any voltage.
    pure function nodal_residual(problem) result(residual)
       type(problem_t), intent(in) :: problem
       real(dp), allocatable :: residual(:, :)
-      integer :: node, field
+      real(dp) :: missing
+      integer :: node, field, i, side
 
       associate (internal => problem%forces%internal, load => problem%loading%load, equations => problem%equations)
          allocate (residual(n_fields, size(load, 2)))
@@ -71,6 +74,16 @@ contains
                   end associate
                end do
             end associate
+         end do
+      end associate
+      associate (there => problem%superconductors)
+         do i = 1, size(there%members)
+            missing = abs(there%flows(i)%current - there%current(i))
+            do side = 1, 2
+               associate (left => residual(field_potential, problem%model%connectivity(side, there%members(i))))
+                  if (.not. missing <= left) left = missing
+               end associate
+            end do
          end do
       end associate
 

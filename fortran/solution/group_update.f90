@@ -80,6 +80,9 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%shorten(problem%domain_t, correction)
       end do
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%follow(problem%domain_t, correction)
+      end do
       associate (first => first_slot_of_group(group), last => last_slot_of_group(group))
          call problem%iterate%move(problem%state, problem%model%x, correction(first:last, :), first)
       end associate

@@ -13,6 +13,7 @@ module litz_problem
    use litz_rotations, only: identity3
    use litz_run_warnings, only: run_warnings_t
    use litz_scheme, only: scheme_t
+   use litz_superconductors, only: new_superconductors
    use litz_term, only: term_entry_t
    use litz_term_list, only: list_terms
    use litz_wires, only: build_wires, measure_wires
@@ -59,13 +60,14 @@ contains
       call note_initial_temperatures(problem)
       problem%iterate%bodies = new_rigid_bodies(model)
       problem%iterate%constraints = new_linear_constraints(model)
+      problem%superconductors = new_superconductors(model)
       call list_terms(problem%domain_t, problem%contact, problem%terms)
    end subroutine prepare_problem
 
    !> The undeformed model without voltages, at its initial temperatures.
    subroutine start_state(problem)
       type(problem_t), intent(inout) :: problem
-      integer :: n, m
+      integer :: n, m, i
 
       n = problem%model%n_nodes
       m = problem%model%n_elements
@@ -79,6 +81,9 @@ contains
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
             state%temperature_earlier(n), source=0.0_dp)
+         state%has_superconductors = any([(allocated(problem%model%materials(problem%model%sections(i)%material) &
+            %superconductor), i=1, size(problem%model%sections))])
+         allocate (state%superconductors(4, merge(m, 0, state%has_superconductors)), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))
          state%has_field = problem%model%has_field
          state%value = initial_values(problem%model)

@@ -32,11 +32,12 @@ contains
 
       allocate (terms(0))
       call add(new_beam_term(domain%model%n_elements))
+      ! after the strains, before all that asks for currents
+      call add(new_conductor_term(domain%elements%resistivity))
       call add(new_surface_term(domain))
       call add(new_heat_term(domain%model))
       call add(radiation_term_t())
       call add(new_capacity_term(domain%model))
-      call add(new_conductor_term(domain%elements%resistivity))
       call add(new_distributed_load_term())
       call add(new_lorentz_term())
       call add(surface_heat_term_t())

@@ -98,6 +98,7 @@ contains
             r(:, :n))
          call domain%timing%lap(phase_assembly)
       end do
+      if (size(domain%superconductors%members) > 0) call tell_strains(self, domain)
       if (domain%coupled_step) call add_temperatures(self, domain)
       if (size(domain%iterate%bodies%dependents) > 0) call suppose_forces(self, domain)
       self%sigma_from_strain = .false.
@@ -131,6 +132,26 @@ contains
       end subroutine evaluate_element
 
    end subroutine evaluate
+
+   !> The axial strains of elements with superconducting filaments.
+   subroutine tell_strains(self, domain)
+      class(beam_term_t), intent(in) :: self
+      type(domain_t), intent(inout) :: domain
+      type(heated_beam_t) :: by_temperature
+      integer :: i
+
+      associate (there => domain%superconductors, heated => domain%elements%heated)
+         there%strain = self%strain(1, there%members)
+         there%strain_by_motion = self%b(1, :, there%members)
+         there%strain_by_temperature = 0
+         if (.not. domain%coupled_step) return
+         do i = 1, size(heated)
+            if (there%place(heated(i)) == 0) cycle
+            by_temperature = beam_by_temperature(domain%model, domain%elements, heated(i))
+            there%strain_by_temperature(there%place(heated(i))) = -by_temperature%thermal_strain
+         end do
+      end associate
+   end subroutine tell_strains
 
    !> What temperatures do to the forces, `L B^T (C' e - C i_1 e_T')`, half of it by each node. Source: theory (14.2).
    subroutine add_temperatures(self, domain)

@@ -1,16 +1,21 @@
 !> Conduction along the wires.
 module litz_conductor_term
    use litz_kinds, only: dp
-   use litz_conductor, only: conductor
-   use litz_domain, only: domain_t
+   use litz_domain, only: domain_t, element_flow_t
+   use litz_element_loads, only: element_load_t, load_lorentz
    use litz_errors, only: error_t
-   use litz_fields, only: field_potential, motion_slots, potential_slots
+   use litz_fields, only: field_potential, motion_slots, potential_slots, temperature_slots
+   use litz_loading, only: element_loads_at
+   use litz_model, only: step_t
    use litz_parallel, only: worth_threads
    use litz_scatter, only: chunk
    use litz_term, only: term_t
    implicit none
    private
    public :: conductor_term_t, new_conductor_term
+
+   !> Current over the critical one of filaments that are normal
+   real(dp), parameter :: most_loaded = 1.0e9_dp
 
    type, extends(term_t) :: conductor_term_t
       !> Elements that conduct
@@ -19,7 +24,11 @@ module litz_conductor_term
       real(dp), allocatable :: element_current(:), joule_heat(:)
    contains
       procedure :: request_slots
+      procedure :: apply_load
+      procedure :: start
       procedure :: evaluate
+      procedure :: predict
+      procedure :: follow
       procedure :: link
       procedure :: accept
    end type conductor_term_t
@@ -47,6 +56,38 @@ contains
       end do
    end subroutine request_slots
 
+   !> The flux density about superconducting filaments: of *LORENTZ, and without one that of the material.
+   subroutine apply_load(self, domain, step, step_time, increment)
+      class(conductor_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      type(step_t), intent(in) :: step
+      !> Time of the step at the end of the increment, and the increment [s]
+      real(dp), intent(in) :: step_time, increment
+      type(element_load_t) :: loads(size(step%element_loads))
+      integer :: i
+
+      associate (there => domain%superconductors, model => domain%model)
+         if (size(there%members) == 0) return
+         there%flux_density = 0
+         do i = 1, size(there%members)
+            there%flux_density(1, i) = model%materials(model%sections(model%element_section(there%members(i))) &
+               %material)%superconductor%field
+         end do
+         loads = element_loads_at(model, step, step_time, domain%state%time - domain%state%step_time)
+         do i = 1, size(loads)
+            if (loads(i)%kind /= load_lorentz) cycle
+            if (there%place(loads(i)%element) > 0) there%flux_density(:, there%place(loads(i)%element)) = loads(i)%value
+         end do
+      end associate
+   end subroutine apply_load
+
+   subroutine start(self, domain)
+      class(conductor_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+
+      domain%superconductors%current = domain%state%element_current(domain%superconductors%members)
+   end subroutine start
+
    subroutine evaluate(self, domain, error)
       class(conductor_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
@@ -55,6 +96,7 @@ contains
       real(dp), allocatable :: k(:, :, :), r(:, :), k_me(:, :, :)
       integer :: first, n, i
 
+      call domain%find_superconducting_flows()
       n = min(chunk, size(self%conducting))
       allocate (k(2, 2, n), r(2, n), k_me(2, 12, n))
       do first = 1, size(self%conducting), chunk
@@ -67,8 +109,9 @@ contains
             !$omp end parallel do
             call domain%add_cells(model%connectivity(:, members), potential_slots, potential_slots, k(:, :, :n), &
                r(:, :n))
-            if (any(model%sections(model%element_section(members))%current_length)) call domain%add_cells( &
-               model%connectivity(:, members), potential_slots, motion_slots, k_me(:, :, :n))
+            if (any(model%sections(model%element_section(members))%current_length .or. &
+               domain%superconductors%place(members) > 0)) call domain%add_cells(model%connectivity(:, members), &
+               potential_slots, motion_slots, k_me(:, :, :n))
          end associate
       end do
 
@@ -79,22 +122,48 @@ contains
          integer, intent(in) :: e
          !> Conductances (2, 2) [S], currents that leave the nodes (2) [A], and their derivatives by the motion (2, 12)
          real(dp), intent(out) :: ke(2, 2), re(2), k_me_e(2, 12)
-         real(dp) :: k_mu(2, 6), rho, drho
+         type(element_flow_t) :: flow
 
          ! with temperatures as unknowns, the heat term has the derivative by them
-         call domain%resistivity(e, rho, drho)
-         associate (node => domain%model%connectivity(:, e), elements => domain%elements, iterate => domain%iterate)
-            call conductor(iterate%x(:, node), iterate%value(potential_slots(1), node), elements%length(e), &
-               elements%area(e), rho, &
-               domain%model%sections(domain%model%element_section(e))%current_length, ke, re, k_mu, &
-               self%element_current(e), self%joule_heat(e))
-         end associate
-         k_me_e = 0
-         k_me_e(:, 1:3) = k_mu(:, 1:3)
-         k_me_e(:, 7:9) = k_mu(:, 4:6)
+         flow = domain%flow_in(e)
+         ke = flow%by_voltage*reshape([1.0_dp, -1.0_dp, -1.0_dp, 1.0_dp], [2, 2])
+         re = flow%current*[1, -1]
+         k_me_e = spread(flow%by_motion, 1, 2)
+         k_me_e(2, :) = -k_me_e(1, :)
+         self%element_current(e) = flow%current
+         self%joule_heat(e) = flow%current*flow%voltage
       end subroutine evaluate_element
 
    end subroutine evaluate
+
+   !> Currents in superconducting filaments follow a step that has potentials in it. Prescribed ones are taken whole.
+   subroutine predict(self, domain, eta, correction)
+      class(conductor_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
+      real(dp), intent(in) :: eta, correction(:, :)
+
+      if (.not. any(abs(correction(potential_slots(1):potential_slots(2), :)) > 0)) return
+      if (size(domain%superconductors%members) > 0) call follow(self, domain, &
+         merge(correction, eta*correction, domain%loading%fixed))
+   end subroutine predict
+
+   !> Currents in superconducting filaments follow changes of the unknowns.
+   subroutine follow(self, domain, correction)
+      class(conductor_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+      integer :: i
+
+      do i = 1, size(domain%superconductors%members)
+         associate (node => domain%model%connectivity(:, domain%superconductors%members(i)))
+            call domain%superconductors%move(i, correction(potential_slots(1), node(1)) &
+               - correction(potential_slots(1), node(2)), sum(correction(temperature_slots(1), node)), &
+               reshape(correction(motion_slots(1):motion_slots(2), node), [2*motion_slots(2)]))
+         end associate
+      end do
+   end subroutine follow
 
    subroutine link(self, domain, field, pairs)
       class(conductor_term_t), intent(in) :: self
@@ -111,11 +180,22 @@ contains
    subroutine accept(self, domain)
       class(conductor_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
+      real(dp) :: critical
+      integer :: i
 
       associate (state => domain%state, model => domain%model)
          state%element_current = self%element_current
          state%current_density = self%element_current/model%sections(model%element_section)%area
          state%joule_heat = self%joule_heat
+         if (size(domain%superconductors%members) == 0) return
+         do i = 1, size(domain%superconductors%members)
+            associate (flow => domain%superconductors%flows(i), wire => domain%superconductors%wires(i), &
+               current => domain%superconductors%current(i), e => domain%superconductors%members(i))
+               critical = wire%area*wire%law%critical
+               state%superconductors(:, e) = [flow%field, critical, min(abs(current)/max(critical, tiny(critical)), &
+                  most_loaded), flow%field*current]
+            end associate
+         end do
       end associate
    end subroutine accept
 

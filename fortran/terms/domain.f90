@@ -1,12 +1,13 @@
 !> A model as the terms see it: what stays the same, the unknowns, and the system of equations that the terms fill.
 module litz_domain
    use litz_kinds, only: dp
+   use litz_conductor, only: conductor
    use litz_constrained_cells, only: scatter_constrained
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
    use litz_equations, only: equations_t, system_t
    use litz_fields, only: n_groups, fields, field_displacement, field_of_slot, &
-      group_mechanical, motion_slots, rotation_slots, temperature_slots
+      group_mechanical, motion_slots, potential_slots, rotation_slots, temperature_slots
    use litz_iterate, only: iterate_t
    use litz_loading, only: loading_t
    use litz_model, only: model_t
@@ -14,11 +15,26 @@ module litz_domain
    use litz_rubbing, only: rubbing_t
    use litz_scatter, only: forces_t, clear_forces, scatter, scatter_tangent
    use litz_state, only: state_t
+   use litz_superconductors, only: superconductors_t, superconducting_state_t
    use litz_timing, only: timing_t
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: domain_t
+   public :: domain_t, element_flow_t
+
+   !> Potentials are uncertain by this part of the largest one
+   real(dp), parameter :: uncertainty = 8*epsilon(1.0_dp)
+
+   !> What flows in a conducting element, and how that changes.
+   type :: element_flow_t
+      !> From the first to the second node [A], and V1 - V2 [V]
+      real(dp) :: current = 0, voltage = 0
+      !> The current that the iterate has, where it is an unknown of its own: that above is linear about it [A]
+      real(dp) :: own = 0
+      !> Derivatives of the current by V1 - V2 [S], by the temperature of either node [A/K], where temperatures are
+      !> unknowns, and by the motions (12) [A/m, A]
+      real(dp) :: by_voltage = 0, by_temperature = 0, by_motion(12) = 0
+   end type element_flow_t
 
    type :: domain_t
       type(model_t) :: model
@@ -36,6 +52,8 @@ module litz_domain
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
       !> Euler, or BDF2
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
+      !> Elements with superconducting filaments
+      type(superconductors_t) :: superconductors
       !> Friction on rigid surfaces, by the motions that were evaluated last
       type(rubbing_t), allocatable :: surface_rubbing(:)
       !> Forces and tangent of the motions stay as they were evaluated last, as nothing that they depend on has changed:
@@ -59,6 +77,8 @@ module litz_domain
       procedure :: mean_temperature
       procedure :: mechanical_temperature
       procedure :: resistivity
+      procedure :: flow_in
+      procedure :: find_superconducting_flows
    end type domain_t
 
 contains
@@ -128,6 +148,64 @@ contains
             self%mean_temperature(element), rho, drho)
       end associate
    end subroutine resistivity
+
+   !> The current in a conducting element at the present iterate, to first order.
+   pure type(element_flow_t) function flow_in(self, element) result(flow)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+      real(dp) :: k(2, 2), r(2), k_me(2, 6), rho, drho, heat
+
+      associate (i => self%superconductors%place(element), node => self%model%connectivity(:, element))
+         if (i > 0) then
+            associate (there => self%superconductors)
+               flow = element_flow_t(there%flows(i)%current, there%voltage(i), there%current(i), &
+                  there%flows(i)%by_voltage, there%by_temperature(i), there%by_motion(:, i))
+            end associate
+            return
+         end if
+         flow%voltage = self%iterate%value(potential_slots(1), node(1)) &
+            - self%iterate%value(potential_slots(1), node(2))
+         call self%resistivity(element, rho, drho)
+         if (.not. rho > 0) return
+         call conductor(self%iterate%x(:, node), self%iterate%value(potential_slots(1), node), &
+            self%elements%length(element), self%elements%area(element), rho, &
+            self%model%sections(self%model%element_section(element))%current_length, k, r, k_me, flow%current, heat)
+         flow%own = flow%current
+         flow%by_voltage = k(1, 1)
+         flow%by_temperature = -flow%current*drho/(2*rho)
+         flow%by_motion(1:3) = k_me(1, 1:3)
+         flow%by_motion(7:9) = k_me(1, 4:6)
+      end associate
+   end function flow_in
+
+   !> What flows in the elements with superconducting filaments, at the present iterate.
+   subroutine find_superconducting_flows(self)
+      class(domain_t), intent(inout) :: self
+      type(superconducting_state_t) :: now
+      real(dp) :: along(3)
+      integer :: i
+
+      do i = 1, size(self%superconductors%members)
+         associate (e => self%superconductors%members(i))
+            associate (node => self%model%connectivity(:, e), v => self%iterate%value(potential_slots(1), :))
+               now%x = self%iterate%x(:, node)
+               now%length = self%conduction_length(e)
+               along = 0
+               if (self%model%sections(self%model%element_section(e))%current_length) along = &
+                  (now%x(:, 2) - now%x(:, 1))/now%length
+               now%length_by_motion = [-along, along]
+               now%area = self%elements%area(e)
+               call self%resistivity(e, now%resistivity, now%dresistivity)
+               now%temperature = self%mean_temperature(e) - self%model%absolute_zero
+               now%voltage = v(node(1)) - v(node(2))
+               now%is_led = all(self%loading%fixed(potential_slots(1), node))
+               now%round_off = uncertainty*self%forces%magnitude(potential_slots(1), node(1))
+            end associate
+         end associate
+         call self%superconductors%evaluate(self%model, i, now)
+      end do
+   end subroutine find_superconducting_flows
 
    !> Nothing has been added yet.
    subroutine clear_system(self)

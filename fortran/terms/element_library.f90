@@ -34,6 +34,8 @@ module litz_element_library
       real(dp), allocatable :: thermal_strain(:)
       !> Resistivity at mid length (n_elements) [ohm m]; 0 where there is no electric field
       real(dp), allocatable :: resistivity(:)
+      !> Elements with superconducting filaments (n_elements)
+      logical, allocatable :: superconducting(:)
       !> Elements whose resistivity depends on the temperature (n)
       integer, allocatable :: thermal_resistors(:)
       !> Present temperatures of the nodes of each element, where some element depends on them, and those that its
@@ -151,6 +153,8 @@ contains
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
          end associate
       end do
+      elements%superconducting = [(allocated(model%materials(model%sections(model%element_section(e))%material) &
+         %superconductor), e=1, n)]
       elements%heated = pack([(e, e=1, n)], [(has_thermal_mechanics(model%materials(model%sections( &
          model%element_section(e))%material)), e=1, n)])
       allocate (elements%initial_temperature(2, size(elements%heated)))

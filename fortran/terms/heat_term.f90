@@ -5,9 +5,9 @@
 module litz_heat_term
    use litz_kinds, only: dp, pi
    use litz_conductor_heat, only: conductor_heat, heated_wire_t, heat_flows_t
-   use litz_domain, only: domain_t
+   use litz_domain, only: domain_t, element_flow_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
+   use litz_fields, only: field_temperature, group_transport, motion_slots, potential_slots, temperature_slots
    use litz_loading, only: heat_at
    use litz_model, only: model_t, step_t, element_heat_t
    use litz_parallel, only: worth_threads
@@ -98,41 +98,46 @@ contains
       type(domain_t), intent(inout) :: domain
       !> Never
       type(error_t), allocatable, intent(out) :: error
-      real(dp), allocatable :: k(:, :, :), r(:, :)
+      real(dp), allocatable :: k(:, :, :), r(:, :), by_motion(:, :, :)
       integer :: first, n, i
 
       if (.not. domain%loading%solves(field_temperature)) return
       domain%matrix%symmetric(group_transport) = .false.
       if (.not. allocated(domain%element_heat)) allocate (domain%element_heat(domain%model%n_elements), source=0.0_dp)
       n = min(chunk, size(self%conducting))
-      allocate (k(4, 4, n), r(4, n))
+      allocate (k(4, 4, n), r(4, n), by_motion(2, 12, n))
       do first = 1, size(self%conducting), chunk
          n = min(chunk, size(self%conducting) - first + 1)
          associate (members => self%conducting(first:first + n - 1))
             !$omp parallel do schedule(static) if (n >= worth_threads)
             do i = 1, n
-               call evaluate_element(self, domain, members(i), k(:, :, i), r(:, i))
+               call evaluate_element(self, domain, members(i), k(:, :, i), r(:, i), by_motion(:, :, i))
             end do
             !$omp end parallel do
             call domain%add_cells(domain%model%connectivity(:, members), temperature_slots, both_slots, k(3:4, :, :n), &
                r(3:4, :n))
             call domain%add_cells(domain%model%connectivity(:, members), potential_slots, temperature_slots, &
                k(1:2, [2, 4], :n))
+            if (domain%coupled_step .and. any(domain%superconductors%place(members) > 0)) call domain%add_cells( &
+               domain%model%connectivity(:, members), temperature_slots, motion_slots, by_motion(:, :, :n))
          end associate
       end do
       domain%element_heat = self%made
    end subroutine evaluate
 
    !> Of an element, unknowns node by node: potential, temperature; equations: both currents, both heat flows.
-   subroutine evaluate_element(self, domain, e, k, r)
+   subroutine evaluate_element(self, domain, e, k, r, by_motion)
       class(heat_term_t), intent(inout) :: self
       type(domain_t), intent(in) :: domain
       !> Element
       integer, intent(in) :: e
       !> (4, 4) and (4)
       real(dp), intent(out) :: k(4, 4), r(4)
+      !> Derivatives of both heat flows by what motions do to the current in superconducting filaments (2, 12) [W/m, W]
+      real(dp), intent(out) :: by_motion(2, 12)
       type(heated_wire_t) :: wire
       type(heat_flows_t) :: flows
+      type(element_flow_t) :: flow
 
       associate (model => domain%model, node => domain%model%connectivity(:, e), value => domain%iterate%value)
          associate (section => model%sections(model%element_section(e)))
@@ -140,6 +145,13 @@ contains
                wire%length = domain%conduction_length(e)
                wire%area = section%area
                call domain%resistivity(e, wire%resistivity, wire%dresistivity)
+               wire%has_current = domain%superconductors%place(e) > 0
+               if (wire%has_current) then
+                  flow = domain%flow_in(e)
+                  wire%current = flow%current
+                  wire%by_voltage = flow%by_voltage
+                  wire%by_temperature = flow%by_temperature
+               end if
                call property_at(material%heat_conductivity, domain%mean_temperature(e), wire%conductivity, &
                   wire%dconductivity)
                wire%heat_fraction = material%joule_fraction
@@ -151,6 +163,7 @@ contains
          call conductor_heat(wire, value(potential_slots(1), node), value(temperature_slots(1), node), k, r, flows)
       end associate
       k = k(:, [1, 3, 2, 4])
+      by_motion = spread(-wire%heat_fraction*flows%nodal_share/2*flow%voltage*flow%by_motion, 1, 2)
       self%flow(e) = (r(3) - r(4))/2
       self%made(e) = flows%joule_heat + wire%source
       self%through_film(e) = flows%to_surroundings

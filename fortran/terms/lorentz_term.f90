@@ -4,8 +4,7 @@
 !> step (litz_steps).
 module litz_lorentz_term
    use litz_kinds, only: dp
-   use litz_conductor, only: conductor
-   use litz_domain, only: domain_t
+   use litz_domain, only: domain_t, element_flow_t
    use litz_element_loads, only: element_load_t, load_lorentz
    use litz_end_forces, only: nodal_state
    use litz_errors, only: error_t
@@ -118,24 +117,17 @@ contains
       integer, intent(in) :: i
       !> Derivatives by motions (12, 12), and by potential and temperature of the first node and of the second (12, 4)
       real(dp), intent(out) :: k(12, 12), by_flow(12, 4)
-      real(dp) :: by_current(12), by_motion(12), conductance(2, 2), flow(2), by_position(2, 6), rho, drho, current, heat
+      real(dp) :: by_current(12)
+      type(element_flow_t) :: flow
 
-      associate (e => self%members(i), node => domain%model%connectivity(:, self%members(i)), &
-         elements => domain%elements, iterate => domain%iterate)
-         call domain%resistivity(e, rho, drho)
-         call conductor(iterate%x(:, node), iterate%value(potential_slots(1), node), elements%length(e), &
-            elements%area(e), rho, domain%model%sections(domain%model%element_section(e))%current_length, &
-            conductance, flow, by_position, current, heat)
-         call force_on(domain, e, current, self%field(:, i), k, self%force(:, i), by_current)
-      end associate
-      by_motion = 0
-      by_motion(1:3) = by_position(1, 1:3)
-      by_motion(7:9) = by_position(1, 4:6)
-      k = k + spread(by_current, 2, 12)*spread(by_motion, 1, 12)
-      by_flow(:, 1) = by_current*conductance(1, 1)
-      by_flow(:, 3) = by_current*conductance(1, 2)
+      flow = domain%flow_in(self%members(i))
+      call force_on(domain, self%members(i), flow%own, self%field(:, i), k, self%force(:, i), by_current)
+      if (domain%coupled_step) self%force(:, i) = self%force(:, i) + by_current*(flow%current - flow%own)
+      k = k + spread(by_current, 2, 12)*spread(flow%by_motion, 1, 12)
+      by_flow(:, 1) = by_current*flow%by_voltage
+      by_flow(:, 3) = -by_flow(:, 1)
       by_flow(:, 2) = 0
-      if (domain%loading%solves(field_temperature)) by_flow(:, 2) = -by_current*current/rho*drho/2
+      if (domain%loading%solves(field_temperature)) by_flow(:, 2) = by_current*flow%by_temperature
       by_flow(:, 4) = by_flow(:, 2)
    end subroutine evaluate_element
 

@@ -41,6 +41,7 @@ module litz_term
       procedure :: foresee
       procedure :: bearable_fraction
       procedure :: shorten
+      procedure :: follow
       procedure :: predict
       procedure :: anticipate
       procedure :: settle
@@ -203,6 +204,14 @@ contains
       !> (n_slots, n_nodes)
       real(dp), intent(inout) :: correction(:, :)
    end subroutine shorten
+
+   !> A group that takes its turn is about to change by a correction: the term takes along what it iterates itself.
+   subroutine follow(self, domain, correction)
+      class(term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+   end subroutine follow
 
    !> The increment that has converged, over the largest one that the term bears: less than 1 is a reason for another.
    real(dp) function bearable_increment(self, domain, step) result(ratio)

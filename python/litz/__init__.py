@@ -57,6 +57,7 @@ _MODEL_NAMES = (
     "SharvinSpot",
     "SILVER",
     "STEEL",
+    "Superconductor",
     "TableSpot",
 )
 _LAZY_NAMES = {
@@ -111,6 +112,7 @@ __all__ = [
     "RunWarning",
     "SharvinSpot",
     "SolverError",
+    "Superconductor",
     "TableSpot",
     "animate",
     "build",

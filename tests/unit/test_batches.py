@@ -55,6 +55,31 @@ SCALE = np.array([1.0, 1e-8])[:, None]
 
 #: kernel, arguments that each call has of its own, arguments that all share
 CASES = {
+    "nb3sn": (
+        kernels.nb3sn,
+        numbers(81, temperature=(2, 20), field=(0, 30), strain=(-5e-3, 3e-3), em=(0, 1e-3), C=(1e10, 9e10)),
+        dict(Bc20=33.0, Tc0=16.0, p=0.6, q=2.1, Ca1=44.0, Ca2=4.0, e0=2.56e-3),
+    ),
+    "nbti": (
+        kernels.nbti,
+        numbers(82, temperature=(2, 10), field=(0, 12), jref=(1e9, 3e9), gamma=(2, 2.5)),
+        dict(C0=27.0, Bc20=14.5, Tc0=9.2, alpha=0.57, beta=0.9),
+    ),
+    "critical_table": (
+        kernels.critical_table,
+        numbers(83, temperature=(2, 7), field=(3, 9)),
+        dict(densities=[(3e9, 4, 5), (2e9, 5, 5), (2e9, 4, 7), (1e9, 5, 7)]),
+    ),
+    "parallel_field": (
+        kernels.parallel_field,
+        numbers(84, current=(-2e9, 2e9), conductivity=(1e9, 5e9), critical=(0, 1e9), exponent=(1, 40)),
+        {},
+    ),
+    "superconductor": (
+        kernels.superconductor,
+        numbers(85, current=(-400, 400), v=(-1e-6, 1e-6, 2), length=(0.01, 0.02), fraction=(0.2, 0.6)),
+        dict(area=5e-7, resistivity=2e-10, critical=2e9, exponent=30.0),
+    ),
     "contact_em hertz": (
         kernels.contact_em,
         crossings(1) | wires(2) | numbers(3, series_resistance=(0, 1e-4, 2)),

@@ -129,12 +129,22 @@ OF_HEAT = {
 }  # fmt: skip
 
 
+#: Niobium-titanium in copper
+STRAND = litz.Material(
+    "STRAND",
+    110e9,
+    0.33,
+    5e9,
+    superconductor=litz.Superconductor(30, nbti=(3e9, 27, 14.5, 9.2, 0.57, 0.9, 2.3), ratio=1.6),
+)
+
+
 def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     model, lower, upper, step = crossed(friction=litz.Friction(0.3, elastic_slip=1e-6), axis="LINEAR")
     general = litz.General(1e-6, 1e-13, 2e-13, 3e-13, n1=(0, 0, 1), shear=(1e4, 2e4), contact_radius=5e-4)
     side = model.wire("SIDE", (0.2, 0, 0), (0.3, 0, 0), elements=2, section=general, material=litz.STEEL, element="B31")
     thick = litz.Circular(1e-3, contact_radius=2e-3, conduction="CURRENT LENGTH")
-    more = model.wire("MORE", (0.2, 1, 0), (0.3, 1, 0), elements=2, section=thick, material="COPPER")
+    more = model.wire("MORE", (0.2, 1, 0), (0.3, 1, 0), elements=2, section=thick, material=STRAND)
     model.fix(side.start)
     model.fix(more.start)
     model.fix(more.start, "potential")
@@ -228,6 +238,52 @@ def test_the_program_accepts_all_that_can_be_said_of_heat(litz_program, tmp_path
     assert {card.name for card in read} >= OF_HEAT
     assert [read.find(name)[0]["AMPLITUDE"] for name in ("DFLUX", "FILM", "RADIATE")] == ["WAVE"] * 3
     assert read.find("FILM")[0]["FILM AMPLITUDE"] == "WAVE"
+
+
+@pytest.mark.parametrize(
+    ("superconductor", "row"),
+    [
+        (dict(jc=2e9, fraction=0.4), ["2e+09"]),
+        (dict(jc=[(2e9, 4, 5), (1e9, 6, 5)], fraction=0.4, strain=-5e-3), ["2e+09, 4, 5", "1e+09, 6, 5"]),
+        (dict(nb3sn=(7.5e10, 33, 16, 0.6, 2.1, 44, 4, 2.56e-3, 0), ratio=1.0, field=12.0, criterion=1e-5), None),
+    ],
+)
+def test_a_superconductor_is_a_card_of_its_material(litz_program, tmp_path, superconductor, row):
+    model = litz.Model("A strand")
+    wire = model.wire(
+        "WIRE", (0, 0, 0), (0.1, 0, 0), elements=2, radius=4e-4,
+        material=litz.Material("STRAND", 1e11, 0.3, 5e9, superconductor=litz.Superconductor(30, **superconductor)),
+    )  # fmt: skip
+    model.fix(wire.start)
+    model.fix(wire.start, "potential")
+    model.step().current(wire.end, 1.0)
+    deck = model.write(tmp_path / "strand.inp")
+    done = subprocess.run([litz_program, "check", deck], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    card = litz.Deck.read(deck).find("SUPERCONDUCTOR")[0]
+    assert float(card["N"]) == 30
+    if row is not None:
+        assert [[float(x) for x in line] for line in card.data] == [[float(x) for x in line.split(",")] for line in row]
+
+
+@pytest.mark.parametrize(
+    ("superconductor", "message"),
+    [
+        (dict(fraction=0.4), "one of jc, nb3sn and nbti"),
+        (dict(jc=1e9, nbti=(1,) * 7, fraction=0.4), "one of jc, nb3sn and nbti"),
+        (dict(jc=1e9), "either fraction or ratio"),
+        (dict(jc=1e9, fraction=1.2), "less than 1, not 1.2"),
+        (dict(jc=-1e9, fraction=0.4), "jc of \\*SUPERCONDUCTOR"),
+    ],
+)
+def test_bad_superconductors_are_refused(superconductor, message):
+    with pytest.raises(ValueError, match=message):
+        litz.Superconductor(30, **superconductor)
+
+
+def test_a_superconductor_needs_a_metal_around_it():
+    with pytest.raises(ValueError, match="needs the conductivity of the metal around it"):
+        litz.Material("A", 1e11, 0.3, superconductor=litz.Superconductor(30, jc=1e9, fraction=0.4))
 
 
 def test_forces_on_the_length_of_wires_are_cards_of_their_steps():

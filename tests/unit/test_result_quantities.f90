@@ -32,7 +32,7 @@ program test_result_quantities
       call expect(count(list%name == list(i)%name) == 1, 'each name stands for one result: '//trim(list(i)%name))
       call expect(any(list(i)%components == [1, 3]), 'results are scalars or vectors')
    end do
-   call expect(requested_names(on_cells) == 'SF|EPG|JOULE|SFN|SE|SK|E11|S11|DLOAD|HFL|QSIDE|QSTORE', &
+   call expect(requested_names(on_cells) == 'SF|EPG|JOULE|SC|SFN|SE|SK|E11|S11|DLOAD|HFL|QSIDE|QSTORE', &
       'decks ask for section forces by one word')
    call expect(requested_names(on_points, means_only=.true.) == 'U|UR|EPOT|NT', 'forces and currents are summed')
 

@@ -29,6 +29,7 @@ program test_tangents
    use litz_sparse_pattern, only: csr_multiply
    use litz_surface_term, only: surface_term_t
    use litz_step_control, only: course_t
+   use litz_superconductor, only: current_at
    use litz_steps, only: run_step, begin_step
    use silent_observer, only: silent_t
    implicit none
@@ -127,6 +128,7 @@ program test_tangents
    call check_heat_of_contacts('heat through contacts over time', spot, '')
    call check_heat_of_contacts('heat over force', '*GAP CONDUCTANCE, LAW=TABLE'//nl//'0.01, 0.02'//nl//'1000, 2'//nl)
    call check_coupled_steps()
+   call check_superconductors()
    call note_rubbed_surface()
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
    call check_lines('line of Hertz', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp)
@@ -592,6 +594,34 @@ contains
       expansion = ''
    end subroutine check_element_loads
 
+   !> Superconducting wires that are stretched, in a field that changes from place to place, with and without
+   !> temperatures as unknowns.
+   subroutine check_superconductors()
+      character(len=*), parameter :: magnet = '*LORENTZ'//nl// &
+         'A, 0.1, 0.2, 11, 10, 20, -30, 5, 8, -6, 7, 11, -18'//nl//'B, -0.1, 8, 0.2'//nl
+      character(len=*), parameter :: nb3sn = '*SUPERCONDUCTOR, LAW=NB3SN, N=7, FRACTION=0.5, STRAIN=-3e-3'//nl// &
+         '7.5e10, 33, 16, 0.6, 2.1, 44, 4, 2.56e-3, 5e-4'//nl
+      character(len=*), parameter :: full = '*SOLVER, NAME=BLOCK, COUPLING=FULL'//nl
+      type(problem_t) :: problem
+      integer :: trial
+
+      call start_random_numbers()
+      expansion = nb3sn
+      call solve_first_step(deck_of('B33', 'B31', hertz//spot, '', magnet//full, ''), problem)
+      problem%coupled_step = .true.
+      do trial = 1, 3
+         ! short differences, as the slope of the current over the voltage changes fast where that is small
+         call compare('superconductors', problem, exact, 1.0_dp, steps=1.0e-4_dp)
+      end do
+      expansion = nb3sn(:index(nb3sn, '16,') - 1)//'900'//nb3sn(index(nb3sn, '16,') + 2:)//'*CONDUCTIVITY'//nl// &
+         '430, 100'//nl//'350, 900'//nl//'*EXPANSION, ZERO=250'//nl//'17e-6, 1'//nl//'25e-6, 900'//nl
+      conductivity = '9e7, 1'//nl//'2e7, 900'//nl
+      ! what the strain of the filaments does to the heat between contacts on an element is left out
+      call check_coupled('superconductors and temperatures', 'B33', hertz//spot, 1.0e-4_dp, magnet)
+      conductivity = '5e7'//nl
+      expansion = ''
+   end subroutine check_superconductors
+
    !> Two wires that press each other, one warmer than the other.
    subroutine check_coupled(name, element_type, laws, tolerance, loads, equations)
       character(len=*), intent(in) :: name, element_type, laws
@@ -943,12 +973,24 @@ contains
       type is (beam_term_t)
          beams%sigma_from_strain = .true.
       end select
+      call suppose_currents(problem)
       call suppose_what_is(problem%contact%points)
       call suppose_what_is(problem%contact%line_points)
       call evaluate(problem, error)
       call stop_on(error)
       force = problem%forces%internal
    end subroutine forces_at
+
+   !> The currents in superconducting filaments are those of the voltages.
+   subroutine suppose_currents(problem)
+      type(problem_t), intent(inout) :: problem
+      integer :: i
+
+      associate (there => problem%superconductors)
+         if (size(there%members) == 0) return
+         there%current = [(current_at(there%wires(i), there%voltage(i)), i=1, size(there%members))]
+      end associate
+   end subroutine suppose_currents
 
    !> What an iteration supposes of contacts is what it has found.
    subroutine suppose_what_is(points)

@@ -21,6 +21,8 @@ Surfaces of solids in the plane that touch, with laws per area: `node_to_segment
 The wires: `beam_b31`, `beam_b33`, their strains and `beam_forces_by_temperature`, `conductor`, `potential_rise`.
 Heat: `conductor_heat` (current and heat along a wire, with a film), `wire_radiation`, `heat_capacity`, `spot_heat` (heat and
 hottest place of a contact spot), `hot_conductance`, `hot_spot`.
+Superconductors: `nb3sn`, `nbti` and `critical_table` (critical current density), `parallel_field` (electric field of a current
+that filaments and metal share), `superconductor` (the wire).
 """
 
 from .axes import ClosestPoints, closest_points
@@ -52,6 +54,16 @@ from .heat import (
 from .line import LineLaw, LinePoint, line_law, line_point
 from .search import contact_search
 from .spot import ContactSpot, contact_spot
+from .superconductors import (
+    CriticalDensity,
+    ParallelField,
+    Superconductor,
+    critical_table,
+    nb3sn,
+    nbti,
+    parallel_field,
+    superconductor,
+)
 from .surface import NodeToSegment, SegmentToSegment, node_to_segment_em, segment_to_segment_em
 from .warmed_spots import HotSpot, hot_spot
 from .yielding import NormalForce, normal_law
@@ -65,6 +77,7 @@ __all__ = [
     "ContactCoupling",
     "ContactEM",
     "ContactSpot",
+    "CriticalDensity",
     "HeatCapacity",
     "HotConductance",
     "HotSpot",
@@ -72,8 +85,10 @@ __all__ = [
     "LinePoint",
     "NodeToSegment",
     "NormalForce",
+    "ParallelField",
     "SegmentToSegment",
     "SpotHeat",
+    "Superconductor",
     "WireRadiation",
     "beam_b31",
     "beam_b31_strains",
@@ -87,15 +102,20 @@ __all__ = [
     "contact_em",
     "contact_search",
     "contact_spot",
+    "critical_table",
     "heat_capacity",
     "hot_conductance",
     "hot_spot",
     "line_law",
     "line_point",
+    "nb3sn",
+    "nbti",
     "node_to_segment_em",
     "normal_law",
+    "parallel_field",
     "potential_rise",
     "segment_to_segment_em",
     "spot_heat",
+    "superconductor",
     "wire_radiation",
 ]

@@ -21,7 +21,7 @@ from .laws import (
     TableSpot,
 )
 from .loading import Amplitude, Load, Prescribed
-from .materials import COPPER, SILVER, STEEL, Circular, General, Material
+from .materials import COPPER, SILVER, STEEL, Circular, General, Material, Superconductor
 from .model import Model
 from .steps import Step
 from .surfaces import RigidSurface
@@ -57,6 +57,7 @@ __all__ = [
     "RigidSurface",
     "SharvinSpot",
     "Step",
+    "Superconductor",
     "TableSpot",
     "Wire",
     "WireGroup",

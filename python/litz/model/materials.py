@@ -13,6 +13,88 @@ OverTemperature = float | Sequence[tuple[float, float]]
 
 
 @dataclass(frozen=True)
+class Superconductor:
+    """Superconducting filaments in the metal of a material: ``E = criterion (J/jc)^n`` in parallel with that metal.
+
+    One of `jc`, `nb3sn` and `nbti` gives the critical current density, and one of `fraction` and `ratio` the area.
+
+    Attributes
+    ----------
+    n : float
+        Exponent of the power law, 1 or more.
+    jc : float or lines of 3 float, optional
+        Critical current density [A/m^2]: a number, or lines of it, of temperature [K] and of flux density [T].
+    nb3sn : tuple of 9 float, optional
+        C [A T/m^2], Bc20 [T], Tc0 [K], p, q, Ca1, Ca2, e0, em of the ITER-2008 parametrization.
+    nbti : tuple of 7 float, optional
+        jref [A/m^2], C0 [T], Bc20 [T], Tc0 [K], alpha, beta, gamma of Bottura's fit.
+    fraction : float, optional
+        Part of the cross-section that is superconductor, to which jc refers.
+    ratio : float, optional
+        Area of normal metal over that of superconductor.
+    criterion : float
+        Electric field at the critical current [V/m].
+    field : float
+        Flux density where no *LORENTZ gives one [T].
+    strain : float
+        Axial strain of the filaments in a beam without strain, as by cool-down.
+
+    Examples
+    --------
+    >>> filaments = Superconductor(n=30, nbti=(3e9, 27.04, 14.5, 9.2, 0.57, 0.9, 2.32), ratio=1.6, field=5.0)
+    >>> [card[0] for card in Material("STRAND", 100e9, 0.3, 5e9, superconductor=filaments).cards()]
+    ['MATERIAL', 'ELASTIC', 'ELECTRICAL CONDUCTIVITY', 'SUPERCONDUCTOR']
+    """
+
+    n: float
+    jc: float | Sequence[tuple[float, float, float]] | None = None
+    nb3sn: Sequence[float] | None = None
+    nbti: Sequence[float] | None = None
+    fraction: float | None = None
+    ratio: float | None = None
+    criterion: float = 1e-4
+    field: float = 0.0
+    strain: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Checks the values."""
+        if [self.jc, self.nb3sn, self.nbti].count(None) != 2:
+            raise ValueError("a superconductor needs one of jc, nb3sn and nbti")
+        if (self.fraction is None) == (self.ratio is None):
+            raise ValueError("a superconductor needs either fraction or ratio")
+        if self.fraction is not None and self.fraction >= 1:
+            raise ValueError(f"the fraction of the superconductor must be less than 1, not {self.fraction:g}")
+        if self.jc is not None:
+            object.__setattr__(self, "jc", _hashable(self.jc))
+        for name in ("nb3sn", "nbti"):
+            values = getattr(self, name)
+            if values is not None:
+                object.__setattr__(self, name, tuple(float(value) for value in values))
+        check_card(*self.card())
+
+    def card(self) -> CardSpec:
+        """The card of the material."""
+        law = "TABLE"
+        rows: list[list[float]]
+        if self.nb3sn is not None:
+            law, rows = "NB3SN", [list(self.nb3sn)]
+        elif self.nbti is not None:
+            law, rows = "NBTI", [list(self.nbti)]
+        elif isinstance(self.jc, Iterable):
+            rows = [list(row) for row in self.jc]
+        else:
+            rows = [[self.jc or 0.0]]
+        parameters: dict[str, Any] = {"LAW": law, "N": self.n}
+        for name in ("fraction", "ratio"):
+            if getattr(self, name) is not None:
+                parameters[name.upper()] = getattr(self, name)
+        for name, keyword in (("criterion", "EC"), ("field", "FIELD"), ("strain", "STRAIN")):
+            if getattr(self, name) != type(self).__dataclass_fields__[name].default:
+                parameters[keyword] = getattr(self, name)
+        return "SUPERCONDUCTOR", parameters, rows
+
+
+@dataclass(frozen=True)
 class Material:
     """A linear elastic material, a conductor where it has a conductivity.
 
@@ -39,6 +121,8 @@ class Material:
         Heat stored per mass and kelvin [J/(kg K)].
     latent_heat : tuple of 3 float, optional
         Heat of melting [J/kg], taken up between solidus and liquidus [K].
+    superconductor : Superconductor, optional
+        Superconducting filaments; the conductivity is that of the metal around them.
 
     Examples
     --------
@@ -64,6 +148,7 @@ class Material:
     density: float | None = None
     specific_heat: OverTemperature | None = None
     latent_heat: tuple[float, float, float] | None = None
+    superconductor: Superconductor | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -72,6 +157,8 @@ class Material:
             value = getattr(self, name)
             if value is not None:
                 object.__setattr__(self, name, _hashable(value))
+        if self.superconductor is not None and self.conductivity is None:
+            raise ValueError(f"the superconductor of {self.name} needs the conductivity of the metal around it")
         for card in self.cards():
             check_card(*card)
 
@@ -87,6 +174,8 @@ class Material:
             yield "DENSITY", {}, [[self.density]]
         if self.latent_heat is not None:
             yield "LATENT HEAT", {}, [list(self.latent_heat)]
+        if self.superconductor is not None:
+            yield self.superconductor.card()
 
 
 #: Properties that may depend on the temperature, and their keywords
@@ -98,7 +187,7 @@ _OVER_TEMPERATURE = {
 }
 
 
-def _hashable(value: OverTemperature) -> Any:
+def _hashable(value: float | Iterable[Sequence[float]]) -> Any:
     """The number as it is, or the table as tuples."""
     return value if not isinstance(value, Iterable) else tuple(tuple(float(one) for one in row) for row in value)
 
