@@ -6,10 +6,10 @@ module litz_history
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
    use litz_fields, only: first_slot, field_potential, field_temperature
-   use litz_model, only: model_t, named_set_t, output_request_t, has_element_loads, request_node, request_element, &
-      request_electrode, request_energy
+   use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, request_electrode, &
+      request_energy
    use litz_quantities, only: on_points, on_cells
-   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
+   use litz_result_quantities, only: wire_quantity_t, choose_results, list_wire_quantities
    use litz_state, only: state_t, energies_t
    use litz_text, only: to_text
    implicit none
@@ -61,10 +61,7 @@ contains
       integer :: i, j
 
       if (allocated(error)) return
-      nothing%has_field = model%has_field
-      nothing%has_line_loads = has_element_loads(model)
-      nothing%has_section_results = .false.
-      if (allocated(model%steps)) nothing%has_section_results = any(model%steps%has_section_results)
+      call choose_results(model, nothing)
       call list_wire_quantities(nothing, self%quantities)
       allocate (self%columns(16))
       self%n_columns = 0

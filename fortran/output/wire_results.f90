@@ -5,9 +5,9 @@
 module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
-   use litz_model, only: has_element_loads, model_t, section_t, named_set_t, radius_course
+   use litz_model, only: model_t, section_t, named_set_t, radius_course
    use litz_quantities, only: quantity_t, on_points, on_cells
-   use litz_result_quantities, only: wire_quantity_t, list_wire_quantities
+   use litz_result_quantities, only: wire_quantity_t, choose_results, list_wire_quantities
    use litz_state, only: state_t
    use litz_surface_choices, only: surface_shapes
    use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
@@ -85,10 +85,7 @@ contains
       type(wire_quantity_t), allocatable :: list(:)
       integer :: i
 
-      nothing%has_field = model%has_field
-      nothing%has_line_loads = has_element_loads(model)
-      nothing%has_section_results = .false.
-      if (allocated(model%steps)) nothing%has_section_results = any(model%steps%has_section_results)
+      call choose_results(model, nothing)
       call list_wire_quantities(nothing, list)
       do i = 1, size(list)
          call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)

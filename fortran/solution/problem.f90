@@ -8,7 +8,8 @@ module litz_problem
    use litz_kinds, only: dp
    use litz_linear_constraints, only: new_linear_constraints
    use litz_loading, only: initial_values
-   use litz_model, only: model_t, has_element_loads
+   use litz_model, only: model_t
+   use litz_result_quantities, only: choose_results
    use litz_rigid_bodies, only: new_rigid_bodies
    use litz_rotations, only: identity3
    use litz_run_warnings, only: run_warnings_t
@@ -67,25 +68,21 @@ contains
    !> The undeformed model without voltages, at its initial temperatures.
    subroutine start_state(problem)
       type(problem_t), intent(inout) :: problem
-      integer :: n, m, i
+      integer :: n, m
 
       n = problem%model%n_nodes
       m = problem%model%n_elements
       associate (state => problem%state)
+         call choose_results(problem%model, state)
          allocate (state%reaction(n_slots, n), state%load(n_slots, n), &
             state%outer_force(n_slots, n), state%damping(n_slots, n), source=0.0_dp)
          allocate (state%section_forces(6, m), state%line_load(3, m), state%section_ends(12, m), &
             state%section_strains(8, m), source=0.0_dp)
-         state%has_section_results = any(problem%model%steps%has_section_results)
-         state%has_line_loads = has_element_loads(problem%model)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
             state%temperature_earlier(n), source=0.0_dp)
-         state%has_superconductors = any([(allocated(problem%model%materials(problem%model%sections(i)%material) &
-            %superconductor), i=1, size(problem%model%sections))])
          allocate (state%superconductors(4, merge(m, 0, state%has_superconductors)), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))
-         state%has_field = problem%model%has_field
          state%value = initial_values(problem%model)
          state%mechanical_temperature = state%value(temperature_slots(1), :)
          state%rotation = spread(identity3, 3, n)
