@@ -2,11 +2,11 @@
 !>
 !> A step that asks for a kind of output replaces all requests of that kind; the others are carried over.
 module litz_read_requests
-   use litz_fields, only: fields, field_potential
+   use litz_fields, only: fields, field_potential, field_temperature
    use litz_text, only: to_text, words_of, word_length
    use litz_deck, only: token_t
-   use litz_model, only: model_t, step_t, output_request_t, request_node, request_element, request_contact, &
-      request_electrode, request_energy
+   use litz_model, only: model_t, has_superconductors, step_t, output_request_t, request_node, request_element, &
+      request_contact, request_electrode, request_energy
    use litz_reader, only: reader_t, fail_at, warn_of_idle, parameter_of, choice_of, integer_parameter, keyword_of, &
       name_of
    use litz_result_quantities, only: asks_for_sections
@@ -145,6 +145,9 @@ contains
          if (belongs_to_absent_field(model, quantity)) then
             call fail_at(self, self%values%token(i), trim(quantity)//' cannot be printed: the model has no'// &
                ' temperatures; *INITIAL CONDITIONS, TYPE=TEMPERATURE or *TEMPERATURE give some')
+         else if (quantity == 'SC' .and. .not. has_superconductors(model)) then
+            call fail_at(self, self%values%token(i), trim(quantity)//' cannot be printed: no element is of a'// &
+               ' material with *SUPERCONDUCTOR')
          else if (any(request%quantities == quantity)) then
             call fail_at(self, self%values%token(i), 'the quantity '//trim(quantity)//' is requested twice')
          else
@@ -163,7 +166,8 @@ contains
       character(len=*), intent(in) :: quantity
 
       absent = any(.not. model%has_field .and. (fields%value_word == quantity .or. fields%reaction_word == quantity &
-         .or. fields%load_word == quantity))
+         .or. fields%load_word == quantity)) .or. (.not. model%has_field(field_temperature) .and. &
+         any(quantity == [character(len=8) :: 'HFL', 'QSIDE', 'QSTORE']))
    end function belongs_to_absent_field
 
    !> The quantities of *NODE FILE and *EL FILE have to exist; some are in files that ask for them alone.

@@ -31,7 +31,8 @@ contains
          q => parameters(5))
          call strain_function(parameters(6:9), strain, s, ds)
          if (.not. s > 0) return
-         t = temperature/(tc0*s**(1/3.0_dp))
+         ! iterates may be below absolute zero
+         t = max(temperature, 0.0_dp)/(tc0*s**(1/3.0_dp))
          if (t >= 1) return
          u = 1 - t**exponent
          w = 1 - t**2

@@ -27,7 +27,8 @@ contains
 
       associate (jref => parameters(1), c0 => parameters(2), bc20 => parameters(3), tc0 => parameters(4), &
          alpha => parameters(5), beta => parameters(6), gamma => parameters(7))
-         t = temperature/tc0
+         ! iterates may be below absolute zero
+         t = max(temperature, 0.0_dp)/tc0
          if (t >= 1) return
          u = 1 - t**exponent
          flux = max(field, least_field*bc20)

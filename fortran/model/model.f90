@@ -26,7 +26,7 @@ module litz_model
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_by_factors
    public :: dof_potential, dof_temperature, factor_at, leave_step, radius_at, radius_course, ramp_at
-   public :: has_element_loads
+   public :: has_element_loads, has_superconductors
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -346,6 +346,15 @@ contains
          has_element_loads = has_element_loads .or. size(model%steps(i)%element_loads) > 0
       end do
    end function has_element_loads
+
+   !> Some wire has superconducting filaments.
+   pure logical function has_superconductors(model)
+      type(model_t), intent(in) :: model
+      integer :: i
+
+      has_superconductors = any([(allocated(model%materials(model%sections(i)%material)%superconductor), &
+         i=1, size(model%sections))])
+   end function has_superconductors
 
    !> The keyword that says what a step solves for, with its star.
    pure function procedure_of(step) result(keyword)

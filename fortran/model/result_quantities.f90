@@ -5,7 +5,7 @@
 module litz_result_quantities
    use litz_fields, only: fields, n_fields, n_groups, field_temperature, first_slot
    use litz_kinds, only: dp
-   use litz_model, only: model_t, has_element_loads
+   use litz_model, only: model_t, has_element_loads, has_superconductors
    use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
    use litz_state, only: state_t, contact_t, surface_contact_t
    implicit none
@@ -32,18 +32,16 @@ module litz_result_quantities
 
 contains
 
-   !> Which results the model has: the list of quantities of a state follows from it.
+   !> Which results the steps of a model have.
    pure subroutine choose_results(model, state)
       type(model_t), intent(in) :: model
       type(state_t), intent(inout) :: state
-      integer :: i
 
       state%has_field = model%has_field
       state%has_line_loads = has_element_loads(model)
       state%has_section_results = .false.
       if (allocated(model%steps)) state%has_section_results = any(model%steps%has_section_results)
-      state%has_superconductors = any([(allocated(model%materials(model%sections(i)%material)%superconductor), &
-         i=1, size(model%sections))])
+      state%has_superconductors = has_superconductors(model)
    end subroutine choose_results
 
    !> What results hold of nodes and elements, with the values of this state.

@@ -6,8 +6,8 @@ module litz_history
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_internal
    use litz_fields, only: first_slot, field_potential, field_temperature
-   use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, &
-      request_electrode, request_energy
+   use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, request_electrode, &
+      request_energy
    use litz_quantities, only: on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, choose_results, list_wire_quantities
    use litz_state, only: state_t, energies_t

@@ -40,6 +40,13 @@ BRASS = (
     "*ELECTRICAL CONDUCTIVITY\n 1.5e7, 20\n 1e7, 120\n"
 )
 
+#: Laws of superconducting filaments, each in a wire of its own
+FILAMENTS = [
+    "LAW=TABLE, N=30, FRACTION=0.4, EC=1e-5, FIELD=5, STRAIN=-1e-3\n 2e9, 4.2, 5",
+    "LAW=NB3SN, N=30, RATIO=1.5, FIELD=12\n 7.5e10, 32.97, 16.06, 0.63, 2.1, 44.48, 4.0, 2.56e-3, 5e-4",
+    "LAW=NBTI, N=30, RATIO=1.5, FIELD=5\n 3e9, 27.04, 14.5, 9.2, 0.57, 0.9, 2.32",
+]
+
 STEP = """\
 *STEP, NAME=ONE, INC=50
 *STATIC
@@ -85,6 +92,13 @@ def model():
         f"*CONTACT PAIR, INTERACTION={law}\n LOW, UP{i}\n"
         for i, (law, (normal, spot)) in enumerate(LAWS.items(), 1)
     )
+    strands = "".join(
+        wire(f"STRAND{i}", straight((0.2, 0.01 * i, 0), (0.21, 0.01 * i, 0), 1), 1000 + 10 * i)
+        + f"*MATERIAL, NAME=STRAND{i}\n*ELASTIC\n 100e9, 0.3\n*ELECTRICAL CONDUCTIVITY\n 5e9\n*SUPERCONDUCTOR, {law}\n"
+        f"*BEAM SECTION, ELSET=STRAND{i}, MATERIAL=STRAND{i}, SECTION=CIRC\n 1e-3\n"
+        f"*BOUNDARY\n {1000 + 10 * i}, ENCASTRE\n {1000 + 10 * i}, 9\n"
+        for i, law in enumerate(FILAMENTS, 1)
+    )
     return (
         "*HEADING\nwires that do not touch\n*UNITS, LENGTH=m, FORCE=N, TIME=s, CURRENT=A, VOLTAGE=V, TEMPERATURE=K\n"
         "*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0\n"
@@ -105,6 +119,7 @@ def model():
         "*AMPLITUDE, NAME=WAVE, TIME=STEP TIME\n 0, 0, 1, 1\n"
         "*AMPLITUDE, NAME=OTHER\n 0, 0, 1, 2\n"
         "*INITIAL CONDITIONS, TYPE=TEMPERATURE\n 902, 20\n"
+        + strands
         + contacts
         + "*RIGID SURFACE, NAME=FLOOR, TYPE=CYLINDER, REF NODE=906\n 0.02, 0.01, -0.05, 1, 0.1, 0.2, 0.01\n"
         "*SURFACE INTERACTION, NAME=RUBBING\n*FRICTION\n 0.2\n*GAP HEAT GENERATION\n 0.9, 0.6\n"
@@ -264,6 +279,7 @@ FREE_VALUES = {
     ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): "tested by itself, with its data",
     **{("BEAM SECTION", side): "area, stiffnesses and corners that follow from it count" for side in SIDES},
     ("ELEMENT", "n3"): "of quadratic beams: the nodes of their two elements count",
+    ("SUPERCONDUCTOR", "LAW"): "form of the data",
     ("ELSET", "INTERNAL"): "of a CAE", ("NSET", "INTERNAL"): "of a CAE",
     ("SURFACE INTERACTION", "thickness"): "of contact in two dimensions",
     ("BEAM SECTION", "SECTION"): "form of the data", ("BEAM SECTION", "ELSET"): "every element has one section",
@@ -460,7 +476,7 @@ def test_what_has_changed_is_named(go_on, old, new, words):
 
 def test_supports_that_are_taken_away_in_the_step_are_named(go_on):
     text = (model() + STEP + LATER).replace("*BOUNDARY, AMPLITUDE=WAVE", "*BOUNDARY, OP=NEW, AMPLITUDE=WAVE")
-    text = text.replace(" 906, 9, 9, 1e-3\n", " 906, 9, 9, 1e-3\n 901, 1, 6\n 901, 9\n 201, 1, 6\n", 1)
+    text = text.replace(" 906, 9, 9, 1e-3\n", " 906, 9, 9, 1e-3\n 901, 1, 6\n 901, 9\n 1010, 9\n 1020, 9\n 1030, 9\n 201, 1, 6\n", 1)
     assert "*BOUNDARY of degree of freedom 1" in differences(go_on(text))
 
 

@@ -204,6 +204,7 @@ def test_a_run_goes_on_from_everywhere(litz, tmp_path):
         (fit("NB3SN", NB3SN | dict(Ca2=50.0)), "Ca2 must be less than Ca1"),
         (fit("NB3SN", NB3SN | dict(e0=0.256)), "e0 is a strain, not in percent"),
         (TABLE + TABLE, "has two *SUPERCONDUCTOR"),
+        ("", "SC cannot be printed: no element is of a material with *SUPERCONDUCTOR"),
     ],
 )  # fmt: skip
 def test_bad_data_are_refused(litz, tmp_path, superconductor, message):

@@ -113,6 +113,7 @@ def test_models_without_temperatures_show_none(litz, tmp_path):
         ),
         (ROOM, "*CFLUX\n 2, , 1", "node 2 has no temperature as an unknown"),
         ("", "*NODE PRINT, NSET=ALL\n NT", "NT cannot be printed: the model has no temperatures"),
+        ("", "*EL PRINT, ELSET=WIRE\n HFL", "HFL cannot be printed: the model has no temperatures"),
         (ROOM, "*TEMPERATURE\n 2, 300, 310", "the temperature is the same over a cross-section"),
         (ROOM, "*TEMPERATURE, FILE=job\n 2, 300", "give the values of the nodes in data lines"),
         (ROOM, "*TEMPERATURE\n 2, 300\n 2, 310", "is prescribed twice with different values"),

@@ -160,6 +160,7 @@ contains
       state%section_forces = increment*reshape([((i + 10.0_dp*j, i=1, 6), j=1, 4)], [6, 4])
       state%has_line_loads = .false.
       state%has_section_results = .false.
+      state%has_superconductors = .false.
       state%element_current = [(increment*3.0_dp*j, j=1, 4)]
       state%current_density = state%element_current/4.0e-4_dp
       state%joule_heat = [(increment*4.0_dp*j, j=1, 4)]

@@ -34,9 +34,11 @@ class ParallelField(NamedTuple):
 
     #: [V/m]
     value: float
-    #: Derivatives by current density [ohm m], conductivity of the metal [V^2/A] and critical current density [ohm m]
+    #: Derivative by the current density [ohm m]
     by_current: float
+    #: Derivative by the conductivity of the metal [V^2/A]
     by_conductivity: float
+    #: Derivative by the critical current density [ohm m]
     by_critical: float
 
 
@@ -75,7 +77,7 @@ def nb3sn(
     temperature, field, strain : float
         [K], flux density [T], axial strain [-].
     C : float
-        Scaling constant [A T/m^2].
+        Scaling constant [A T/m^2], of the area of the superconductor: that of a strand [A T] over this area.
     Bc20, Tc0 : float
         Upper critical flux density at 0 K without strain [T], critical temperature without flux and strain [K].
     p, q : float
@@ -95,9 +97,9 @@ def nb3sn(
 
     Examples
     --------
-    >>> strand = dict(C=19922e6, Bc20=32.97, Tc0=16.06, p=0.63, q=2.1, Ca1=44.48, Ca2=0.0, e0=0.256e-2)
+    >>> strand = dict(C=7.5e10, Bc20=32.97, Tc0=16.06, p=0.63, q=2.1, Ca1=44.48, Ca2=0.0, e0=0.256e-2)
     >>> f"{nb3sn(4.2, 12.0, -0.005, **strand).value:.4g} A/m^2 at 4.2 K, 12 T and -0.5 %"
-    '7.717e+08 A/m^2 at 4.2 K, 12 T and -0.5 %'
+    '6.305e+08 A/m^2 at 4.2 K, 12 T and -0.5 %'
     """
     of = _at(temperature, field)
     of.array("strain", strain)
@@ -288,7 +290,7 @@ def superconductor(
     ...     v[0] += (90 - flow.R[0]) / flow.K[0, 0]
     ...     current = flow.R[0] + flow.K[0, 0] * ((90 - flow.R[0]) / flow.K[0, 0])
     >>> f"{v[0] / 0.01 / parallel_field(90 / 0.5e-6, conductivity=0.6e10, critical=1.6e8, exponent=20).value:.6f}"
-    '1.000016'
+    '1.000000'
     """
     of = Batch()
     of.array("current", current)
