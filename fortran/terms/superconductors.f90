@@ -57,8 +57,8 @@ contains
       type(model_t), intent(in) :: model
       integer :: e, n
 
-      self%members = pack([(e, e=1, model%n_elements)], [(allocated(model%materials(model%sections( &
-         model%element_section(e))%material)%superconductor), e=1, model%n_elements)])
+      allocate (self%members, source=pack([(e, e=1, model%n_elements)], [(allocated(model%materials(model%sections( &
+         model%element_section(e))%material)%superconductor), e=1, model%n_elements)]))
       n = size(self%members)
       allocate (self%place(model%n_elements), source=0)
       self%place(self%members) = [(e, e=1, n)]
