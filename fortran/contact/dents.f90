@@ -216,7 +216,9 @@ contains
       dent%felt = felt_here(law, pair, point, dent)
       if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt) then
          dent%force = point%yielding_force
-         dent%overlap = 0
+         ! a larger force at less overlap, as the spot has grown longer, does not fill what has been pressed deeper; of that
+         ! the part is left which is left of its force: yielding metal has forces about in proportion to the overlap
+         dent%overlap = dent%left*dent%overlap
          dent%arc = [point%arc_bar, point%arc]
          dent%left = 1
          dent%section_share = point%section_share

@@ -285,6 +285,24 @@ def test_wires_that_turn_back_feel_their_dent_as_before(run):
     assert found[-1]["largest_force"] == pytest.approx(largest, rel=1e-9)
 
 
+@pytest.mark.parametrize("lift", [False, True])
+def test_a_larger_force_at_less_overlap_does_not_fill_a_dent(run, lift):
+    """Pressed to 2 um and let go to 1.6 um, at right angles; at 30 degrees, where the spot is longer, the same overlap takes
+    more force than ever before. Back at right angles the dent is that of 2 um, also where the wires part in between."""
+    between = [turn(-1e-5)] if lift else []
+    after = [turn(-1e-5, -60)] if lift else []
+    back = [turn(-1e-5, 0)] if lift else []
+    process, results = run(
+        carried(90, turn(2e-6), turn(1.6e-6), *between, *after, turn(1.6e-6, -60, increments=5), *after, *back, turn(1.6e-6, 0))
+    )
+    assert process.returncode == 0, process.stderr
+    largest = law(2e-6).force
+    assert law(1.6e-6, degrees=30).force > largest
+    last = contacts(results)[-1]
+    assert last["force"] == pytest.approx(law(1.6e-6, largest).force, rel=1e-9)
+    assert last["dent"] == pytest.approx(law(1.6e-6, largest).dent, rel=1e-9)
+
+
 @pytest.mark.parametrize("back", [2e-6, 1.7e-6])
 def test_turning_in_a_dent_is_in_the_balance_of_energy(run, back):
     """Turned to where the spot is shorter, and back: work = elastic energy + ALLPD to first order in the increments, and in the
