@@ -216,8 +216,8 @@ contains
       dent%felt = felt_here(law, pair, point, dent)
       if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt) then
          dent%force = point%yielding_force
-         ! a larger force at less overlap, as the spot has grown longer, does not fill what has been pressed deeper; of that
-         ! the part is left which is left of its force: yielding metal has forces about in proportion to the overlap
+         ! a larger force at less overlap, as the spot has grown longer, does not fill what has been pressed deeper; of
+         ! that the part is left which is left of its force: yielding metal has forces about in proportion to overlaps
          dent%overlap = dent%left*dent%overlap
          dent%arc = [point%arc_bar, point%arc]
          dent%left = 1

@@ -54,8 +54,8 @@ contains
       end if
    end function force_of_gap
 
-   !> How the torque changes with the angle, and with the overlap otherwise than the force with the angle, where the dent
-   !> changes with either: by central differences, whose error is some 1e-8 of what they give.
+   !> How the torque changes with the angle, and with the overlap otherwise than the force with the angle, where the
+   !> dent changes with either: by central differences, whose error is some 1e-8 of what they give.
    pure subroutine add_torque_slopes(given, law, state, found)
       type(law_input_t), intent(in) :: given
       type(yielding_t), intent(in) :: law

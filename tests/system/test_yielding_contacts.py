@@ -293,7 +293,17 @@ def test_a_larger_force_at_less_overlap_does_not_fill_a_dent(run, lift):
     after = [turn(-1e-5, -60)] if lift else []
     back = [turn(-1e-5, 0)] if lift else []
     process, results = run(
-        carried(90, turn(2e-6), turn(1.6e-6), *between, *after, turn(1.6e-6, -60, increments=5), *after, *back, turn(1.6e-6, 0))
+        carried(
+            90,
+            turn(2e-6),
+            turn(1.6e-6),
+            *between,
+            *after,
+            turn(1.6e-6, -60, increments=5),
+            *after,
+            *back,
+            turn(1.6e-6, 0),
+        )
     )
     assert process.returncode == 0, process.stderr
     largest = law(2e-6).force
