@@ -997,7 +997,7 @@ def keyword_table(litz):
         yield name, place, after, [(parameter, form.replace("\\|", "|")) for parameter, form in parameters]
 
 
-MAY_BE_NEGATIVE = {"ABSOLUTE ZERO", "ZERO", "TSOFT", "TMELT"}
+MAY_BE_NEGATIVE = {"ABSOLUTE ZERO", "ZERO", "TSOFT", "TMELT", "STRAIN"}
 
 
 def wrong_parameters(parameters):

@@ -35,7 +35,7 @@ class Superconductor:
     criterion : float
         Electric field at the critical current [V/m].
     field : float
-        Flux density where no *LORENTZ gives one [T].
+        Flux density where no ``*LORENTZ`` gives one [T].
     strain : float
         Axial strain of the filaments in a beam without strain, as by cool-down.
 
