@@ -212,6 +212,7 @@ contains
       elements%resistivity = [1.7e-8_dp, 1.7e-8_dp]
       elements%length = [1.0e-2_dp, 1.0e-2_dp]
       elements%area = [3.0e-6_dp, 3.0e-6_dp]
+      elements%superconducting = [.false., .false.]
       allocate (elements%temperature(2, 2), elements%mechanical_temperature(2, 2), source=0.0_dp)
    end subroutine make_two_wires
 
