@@ -32,7 +32,7 @@ contains
          associate (point => points(i))
             if (.not. point%closed) cycle
             energies%work = energies%work + work_of_interference(contact, point) + point%friction%work_beyond_mean
-            energies%contact = energies%contact + point%at_gap%energy + point%history%elastic_energy &
+            energies%contact = energies%contact + elastic_energy(point) + point%history%elastic_energy &
                + point%friction%elastic_work
             energies%friction = energies%friction + point%friction%dissipation
             energies%yielding = energies%yielding + point%yielded + point%ploughed
@@ -41,6 +41,13 @@ contains
       ! what a contact held elastically when it opened is lost
       energies%friction = energies%friction + elastic_energy_lost(converged, points)
    end subroutine add_contact_energies
+
+   !> What the normal force has done since first touch [J].
+   elemental real(dp) function elastic_energy(point) result(energy)
+      type(contact_point_t), intent(in) :: point
+
+      energy = point%energy_ratio*point%at_gap%energy
+   end function elastic_energy
 
    !> Half of the work that resolving an interference does on one contact: its force at one end of the increment.
    pure real(dp) function work_of_interference(contact, point) result(work)
@@ -102,10 +109,11 @@ contains
       work = 0
       if (size(elements%heated) == 0) return
       do i = 1, size(converged)
-         if (is_elastic(converged(i))) work = work + converged(i)%at_gap%energy*(1/stiffer_before(converged(i)) - 1)/2
+         if (is_elastic(converged(i))) work = work + elastic_energy(converged(i))*(1/stiffer_before(converged(i)) &
+            - 1)/2
       end do
       do i = 1, size(points)
-         if (is_elastic(points(i))) work = work + points(i)%at_gap%energy*(1 - stiffer_before(points(i)))/2
+         if (is_elastic(points(i))) work = work + elastic_energy(points(i))*(1 - stiffer_before(points(i)))/2
       end do
 
    contains

@@ -15,6 +15,7 @@ module litz_contact_forces
    use litz_friction_iteration, only: forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
+   use litz_lens_growth, only: settled_torque
    use litz_model, only: model_t
    use litz_mutual_resistances, only: mutual_resistances_t, both_of
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
@@ -200,7 +201,7 @@ contains
    elemental logical function enters_system(point)
       type(contact_point_t), intent(in) :: point
 
-      enters_system = point%active .or. point%closed .or. conducts_apart(point)
+      enters_system = point%active .or. point%closed .or. conducts_apart(point) .or. abs(settled_torque(point)) > 0
    end function enters_system
 
    !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a

@@ -6,22 +6,24 @@ module litz_contact_lens
    use litz_kinds, only: dp
    use litz_axis_choices, only: axis_hermite
    use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
-   use litz_cut_lens, only: cut_lens_t, flat_tilt, steep_tilt
+   use litz_cut_lens, only: cut_lens_t, flat_tilt, is_cut, steep_tilt
    use litz_element_library, only: elements_t
    use litz_end_places, only: place_at_end_t
    use litz_lens_law, only: smooth_step
-   use litz_line_kinematics, only: lens_sine
+   use litz_line_kinematics, only: lens_sine, sine_at_angle
    use litz_line_laps, only: distances_to_ends
    use litz_wires, only: wires_t
    implicit none
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
-      ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, &
+      sine_of_lens, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, &
       least_overlap, longest, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
    real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
+   !> Part of the sine of a lens to which it falls at most as the wires turn within an iteration
+   real(dp), parameter :: least_part = 0.5_dp
    !> Overlap over the distance of the axes that is no more than round-off
    real(dp), parameter :: near_round_off = 1.0e-12_dp
    !> Overlap beyond which a lens counts as no longer, in smaller radii
@@ -46,6 +48,23 @@ contains
       has_lens = point%kinematics%distance > 0
       if (has_lens .and. .not. any(point%held)) has_lens = lens_sine(point%kinematics) > 0
    end function has_lens
+
+   !> Sine of the lens of a crossing at the present angle of the axes; next to ends and joints it stays.
+   pure subroutine sine_of_lens(point, sine, slope, curvature)
+      !> With the sine and the qualities of its last shares
+      type(contact_point_t), intent(in) :: point
+      !> And its first and second derivative by the angle
+      real(dp), intent(out) :: sine, slope, curvature
+
+      sine = 0
+      if (.not. is_cut(point%lens)) call sine_at_angle(point%lens_quality, point%kinematics%angle, sine, slope, &
+         curvature)
+      if (sine > least_part*point%lens_sine) return
+      sine = point%lens_sine
+      if (all(point%lens_quality > 0) .and. .not. is_cut(point%lens)) sine = least_part*sine
+      slope = 0
+      curvature = 0
+   end subroutine sine_of_lens
 
    !> `aW = sqrt(2 d delta)/s` of a crossing; from the end of a wire on that of a wedge, the longest at a joint [m].
    pure real(dp) function half_length_of(point, largest_overlap) result(half_length)

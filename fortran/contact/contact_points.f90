@@ -128,6 +128,12 @@ module litz_contact_points
       !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
       !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
+      !> q of both wires as this sine sees them, which stay within an iteration while the wires turn (2) [-]; 0 next to
+      !> ends and joints, where the sine stays
+      real(dp) :: lens_quality(2) = 0
+      !> Energy over that of the present far field [-], and what the torque about the normal lacks for what the far
+      !> field does as wires turn, of the whole contact as a crossing and as places (litz_lens_growth) [N m]
+      real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0
       !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
       !> long one
       real(dp) :: long_share = 0
@@ -422,6 +428,10 @@ contains
       point%lens_depth = earlier%lens_depth
       point%lens_share = earlier%lens_share
       point%lens_sine = earlier%lens_sine
+      point%lens_quality = earlier%lens_quality
+      point%energy_ratio = earlier%energy_ratio
+      point%lacking_torque = earlier%lacking_torque
+      point%lacking_torque_of_places = earlier%lacking_torque_of_places
       point%law_angle = earlier%law_angle
       point%law_sine = earlier%law_sine
       point%lens = earlier%lens

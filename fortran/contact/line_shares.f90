@@ -5,14 +5,15 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_contact_lens, only: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, place_at_ends, &
-      flatness, least_bend, deepest
+   use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
+      place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_point, share_of_line, smooth_step
+   use litz_lens_growth, only: settle_growth
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
@@ -73,6 +74,7 @@ contains
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
+                  call settle_growth(law, wires_of(model, elements, point), point)
                   call share_crossing(law, wires, elements, contact, by_place, point)
                end if
             end associate
@@ -95,9 +97,11 @@ contains
    !> It is that of straight wires with as long a lens, as far as that counts.
    pure subroutine blend_angle_of_lens(point)
       type(contact_point_t), intent(inout) :: point
+      real(dp) :: sine, slope, curvature
 
       if (.not. point%lens_share > 0) return
-      point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*point%lens_sine
+      call sine_of_lens(point, sine, slope, curvature)
+      point%law_sine = (1 - point%lens_share)*point%law_sine + point%lens_share*sine
       point%law_angle = asin(min(1.0_dp, point%law_sine))
    end subroutine blend_angle_of_lens
 
@@ -117,6 +121,7 @@ contains
       if (.not. point%kinematics%distance > 0) return
       point%is_shared = point%gap >= 0 .or. tells_shares(point)
       point%weight = 0
+      point%lens_quality = 0
       if (.not. has_lens(point)) return
       if (any(point%held)) then
          call share_end(law, wires, elements, contact, by_place, point)
@@ -129,6 +134,7 @@ contains
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
       point%lens_sine = lens_sine(point%kinematics)
+      point%lens_quality = crossing_qualities(point%kinematics)
       point%lens_share = share_of_lens(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
@@ -175,6 +181,12 @@ contains
       largest_change = 0
       sorted = sort_crossings(wires, contact%points)
       call find_long_overlaps(wires, elements, sorted, contact)
+      do i = 1, size(contact%points)
+         associate (point => contact%points(i))
+            if (serves_lines(model, point%pair)) call settle_growth(model%interactions(model%contact_pairs( &
+               point%pair)%interaction)%normal, wires_of(model, elements, point), point)
+         end associate
+      end do
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i))
             before = point%weight
@@ -261,6 +273,7 @@ contains
             tilt = max(tilt, abs(profile%slope_bar))
          end if
          point%line_share = 1
+         point%energy_ratio = 1
          point%section_share = 1
          point%spot_section = 1
          point%kept_overlap = 0
@@ -376,6 +389,7 @@ contains
       call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
          slope)
       point%line_share = 1 - short*of_crossing
+      point%energy_ratio = 1 + short*(crossing%energy_ratio - 1)
       point%section_share = point%history%dent%share_of_section(1 - short*(1 - share_of_line(half_length/radius)))
       point%spot_section = point%section_share
       ! next to an end the overlap is a wedge

@@ -357,9 +357,7 @@ contains
       point%mixed_force = lens%force
       point%stiffness = -lens%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
-      if (point%lens_share < 1) then
-         point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
-      end if
+      point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
       call follow_cut(weight, point)
    end subroutine press_lens
 
@@ -397,10 +395,8 @@ contains
       point%mixed_force = state%law%force
       point%stiffness = -state%law%dforce_dgap
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
-      if (point%lens_share < 1) then
-         if (state%has_yielded) call turn_lens(normal, pair, point, overlap, state%law)
-         point%at_mixed = scaled(state%law, weight)
-      end if
+      if (state%has_yielded) call turn_lens(normal, pair, point, overlap, state%law)
+      point%at_mixed = scaled(state%law, weight)
       call follow_cut(weight, point)
    end subroutine press_yielding_lens
 

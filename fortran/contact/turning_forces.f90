@@ -1,16 +1,18 @@
 !> The torque with which two wires that cross resist to be turned against each other, of a run.
 !>
-!> The law sees the angle `theta(psi)` of straight wires, which next to long lenses is not wholly that of the
-!> axes; where ends or joints cut the contact it stays within an iteration, and there is no torque.
+!> The law sees the angle `theta(psi)` of straight wires, which where wires are curved about each other is not that of
+!> the axes; where ends or joints cut the contact it stays within an iteration, and there is no torque.
 !>
 !> Source: theory (5.1a).
 module litz_turning_forces
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
+   use litz_contact_lens, only: sine_of_lens
    use litz_contact_mechanics, only: form_hessian
    use litz_contact_points, only: contact_point_t
    use litz_contact_turning, only: contact_turning, turning_t
    use litz_cut_lens, only: is_cut
+   use litz_lens_growth, only: settled_torque
    use litz_normal_law, only: force_of_gap_t
    implicit none
    private
@@ -33,7 +35,7 @@ contains
       !> Tangent (24, 24) and residual (24)
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
       type(turning_t) :: law
-      real(dp) :: unused(n_motions), slope
+      real(dp) :: unused(n_motions), slope, settled
 
       k = 0
       r = 0
@@ -42,15 +44,17 @@ contains
       point%iteration_torque = 0
       if (point%line_place > 0 .or. any(point%held) .or. is_cut(point%lens)) return
       law = turning_of(point, point%at_gap)
-      point%torque = law%denergy
+      settled = settled_torque(point)
+      point%torque = law%denergy + settled
       r = point%torque*point%kinematics%dangle
-      if (.not. (point%active .and. point%stiffness > 0)) return
-      point%turning = turning_of(point, point%at_mixed)
+      if (point%active .and. point%stiffness > 0) point%turning = turning_of(point, point%at_mixed)
       associate (turning => point%turning)
-         slope = (turning%dforce + turning%growth)/point%stiffness
+         slope = 0
+         if (point%active .and. point%stiffness > 0) slope = (turning%dforce + turning%growth)/point%stiffness
          ! at first touch no force is known yet
          if (.not. point%geometric_force > 0) turning = turning_t(0.0_dp, turning%dforce*slope, turning%dforce, &
             turning%growth)
+         turning%denergy = turning%denergy + settled
          point%iteration_torque = turning%denergy + slope*(point%iteration_force - point%mixed_force)
          if (any(abs([turning%denergy, turning%d2energy, turning%dforce]) > 0)) call contact_turning( &
             point%kinematics, x, t, length, axis, turning, form_hessian, k, unused)
@@ -61,17 +65,19 @@ contains
    pure type(turning_t) function turning_of(point, law) result(turning)
       type(contact_point_t), intent(in) :: point
       type(force_of_gap_t), intent(in) :: law
-      real(dp) :: slope, curvature, cosine, kept
+      real(dp) :: slope, curvature, cosine, of_lens, slope_of_lens, curvature_of_lens
 
       slope = 1
       curvature = 0
-      kept = 1 - point%lens_share
       if (point%lens_share > 0) then
-         ! sin(theta) = (1 - share) sin(psi) + share sin(theta_lens)
+         ! sin(theta) = (1 - share) sin(psi) + share s(psi)
          cosine = cos(point%law_angle)
          if (.not. cosine > smallest_cosine) return
-         slope = kept*point%kinematics%cos_angle/cosine
-         curvature = (sin(point%law_angle)*slope**2 - kept*sin(point%kinematics%angle))/cosine
+         associate (share => point%lens_share, psi => point%kinematics%angle)
+            call sine_of_lens(point, of_lens, slope_of_lens, curvature_of_lens)
+            slope = ((1 - share)*point%kinematics%cos_angle + share*slope_of_lens)/cosine
+            curvature = (sin(point%law_angle)*slope**2 - (1 - share)*sin(psi) + share*curvature_of_lens)/cosine
+         end associate
       end if
       turning%denergy = law%denergy_dangle*slope
       turning%d2energy = law%d2energy_dangle2*slope**2 + law%denergy_dangle*curvature

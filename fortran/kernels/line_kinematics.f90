@@ -14,7 +14,7 @@ module litz_line_kinematics
    use litz_contact_kinematics, only: contact_kinematics_t, kinematics_ok, kinematics_singular
    implicit none
    private
-   public :: line_kinematics, lens_sine, crossing_qualities, line_profile_t, line_profile, line_course_t, line_course
+   public :: line_kinematics, lens_sine, sine_at_angle, crossing_qualities, line_profile_t, line_profile, line_course_t, line_course
 
    !> The distance to the barred wire along the unbarred one, round a place: `D(s) = D + t s + k s^2/2`.
    type :: line_profile_t
@@ -271,15 +271,31 @@ contains
    pure real(dp) function lens_sine(kinematics) result(sine)
       !> Of `contact_kinematics`
       type(contact_kinematics_t), intent(in) :: kinematics
-      real(dp) :: q(2), det_m
+      real(dp) :: slope, curvature
 
-      associate (m_inverse => kinematics%between_q)
-         det_m = 1/(m_inverse(1, 1)*m_inverse(2, 2) - m_inverse(1, 2)*m_inverse(2, 1))
-      end associate
-      q = crossing_qualities(kinematics)
-      sine = 0
-      if (det_m > 0 .and. all(q > 0)) sine = sqrt(det_m/product(kinematics%squares))*2/sum(sqrt(q))
+      call sine_at_angle(crossing_qualities(kinematics), kinematics%angle, sine, slope, curvature)
    end function lens_sine
+
+   !> The same with `det M = (q qb - cos^2 psi) |x'|^2 |xb'|^2`, as wires turn that are curved about each other no
+   !> otherwise.
+   pure subroutine sine_at_angle(quality, angle, sine, slope, curvature)
+      !> q of both wires (2), and the angle of the axes [rad]
+      real(dp), intent(in) :: quality(2), angle
+      !> 0 of wires that follow each other; and its first and second derivative by the angle
+      real(dp), intent(out) :: sine, slope, curvature
+      real(dp) :: square, factor
+
+      sine = 0
+      slope = 0
+      curvature = 0
+      if (.not. all(quality > 0)) return
+      square = product(quality) - 1 + sin(angle)**2
+      if (.not. square > 0) return
+      factor = 2/sum(sqrt(quality))
+      sine = factor*sqrt(square)
+      slope = factor**2*sin(angle)*cos(angle)/sine
+      curvature = (factor**2*cos(2*angle) - slope**2)/sine
+   end subroutine sine_at_angle
 
    !> q (10.3) of a foot on the unbarred and on the barred wire of a crossing (2): the diagonal of M.
    pure function crossing_qualities(kinematics) result(quality)

@@ -10,8 +10,8 @@ module litz_lens_law
    implicit none
    private
    public :: lens_integral, n_depths, gauss_depth, gauss_weight
-   public :: lens_t, lens_force, kept_lens, lens_spot_t, lens_spot, lens_energy, share_of_point, curvature_of_share, &
-      share_of_ends, share_of_line, slope_of_line_share, smooth_step
+   public :: lens_t, lens_force, kept_lens, lens_spot_t, lens_spot, lens_energy, grown_energy, share_of_point, &
+      curvature_of_share, share_of_ends, share_of_line, slope_of_line_share, smooth_step
 
    integer, parameter :: n_depths = 2
    !> `1 - u^2` of the Gauss points, and twice their weights
@@ -188,6 +188,28 @@ contains
          d2energy_dangle2 = d2energy_dangle2 + weight*lens%d2force_dangle2
       end do
    end subroutine lens_energy
+
+   !> What the force has done from first touch, while the section of the wires came to count as the lens grew [J].
+   pure real(dp) function grown_energy(line, gap, sine, reach, deepest) result(energy)
+      !> With the whole section
+      type(line_wires_t), intent(in) :: line
+      !> Gap between the surfaces [m], negative in contact, and s [-]
+      real(dp), intent(in) :: gap, sine
+      !> aW in smaller radii by which the section counts [-], which goes with the root of the overlap up to this one [m]
+      real(dp), intent(in) :: reach, deepest
+      type(line_wires_t) :: before
+      type(lens_t) :: lens
+      integer :: i
+
+      energy = 0
+      before = line
+      do i = 1, size(energy_place)
+         before%section = share_of_line(reach*sqrt(min(1.0_dp, -gap*energy_place(i)**2/min(-gap, deepest)))) &
+            *line%section
+         lens = lens_force(before, gap*energy_place(i)**2, sine, 0.0_dp)
+         energy = energy - energy_weight(i)*2*energy_place(i)*gap*lens%force
+      end do
+   end function grown_energy
 
    !> Share w_P of the contact that the point carries; the line points carry the rest.
    pure subroutine share_of_point(half_length, spacing, weight, dweight_dhalf_length)
