@@ -15,7 +15,7 @@ module litz_contact_forces
    use litz_friction_iteration, only: forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_law_input, only: wire_pair_t
-   use litz_lens_growth, only: settled_torque
+   use litz_lens_growth, only: lacks_torque
    use litz_model, only: model_t
    use litz_mutual_resistances, only: mutual_resistances_t, both_of
    use litz_normal_forces, only: wires_of, is_lens, law_of_spot
@@ -112,7 +112,7 @@ contains
                r_slide = r_slide + r_friction
             end if
             conducts = (point%closed .or. conducts_apart(point)) .and. all(pair%resistivity > 0) .and. law%spot%exists()
-            if (conducts) call find_spot(law, wires, pair, x, t, length, point, circuit)
+            if (conducts) call find_spot(model, elements, law, wires, pair, x, t, length, point, circuit)
             if (conducts) circuit%dconductance = circuit%dconductance + spot_that_slides(law%normal, point, circuit, &
                dforce)
             associate (voltage => iterate%value(potential_slots(1), nodes_p), &
@@ -201,7 +201,7 @@ contains
    elemental logical function enters_system(point)
       type(contact_point_t), intent(in) :: point
 
-      enters_system = point%active .or. point%closed .or. conducts_apart(point) .or. abs(settled_torque(point)) > 0
+      enters_system = point%active .or. point%closed .or. conducts_apart(point) .or. lacks_torque(point)
    end function enters_system
 
    !> How the conductance of a spot changes as the contact slides next to an end (24) [S]: by its force; that of a

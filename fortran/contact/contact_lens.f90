@@ -16,12 +16,14 @@ module litz_contact_lens
    implicit none
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
-      sine_of_lens, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, wedge_length, deepest, &
-      least_overlap, longest, small_sine, moderate_sine
+      angle_of_law, sine_of_lens, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, &
+      wedge_length, deepest, least_overlap, longest, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
    real(dp), parameter :: small_sine = 0.0872_dp, moderate_sine = 0.1736_dp
+   !> Below this cosine the angle of the law is a right one
+   real(dp), parameter :: smallest_cosine = 1.0e-6_dp
    !> Part of the sine of a lens to which it falls at most as the wires turn within an iteration
    real(dp), parameter :: least_part = 0.5_dp
    !> Overlap over the distance of the axes that is no more than round-off
@@ -48,6 +50,27 @@ contains
       has_lens = point%kinematics%distance > 0
       if (has_lens .and. .not. any(point%held)) has_lens = lens_sine(point%kinematics) > 0
    end function has_lens
+
+   !> How the angle that the law of a crossing sees changes with that of the axes.
+   pure subroutine angle_of_law(point, slope, curvature)
+      type(contact_point_t), intent(in) :: point
+      !> First and second derivative by the angle of the axes [-, 1/rad]; 0 at right angles, which nothing changes
+      real(dp), intent(out) :: slope, curvature
+      real(dp) :: cosine, of_lens, slope_of_lens, curvature_of_lens
+
+      slope = 1
+      curvature = 0
+      if (.not. point%lens_share > 0) return
+      slope = 0
+      cosine = cos(point%law_angle)
+      if (.not. cosine > smallest_cosine) return
+      ! sin(theta) = (1 - share) sin(psi) + share s(psi)
+      associate (share => point%lens_share, psi => point%kinematics%angle)
+         call sine_of_lens(point, of_lens, slope_of_lens, curvature_of_lens)
+         slope = ((1 - share)*cos(psi) + share*slope_of_lens)/cosine
+         curvature = (sin(point%law_angle)*slope**2 - (1 - share)*sin(psi) + share*curvature_of_lens)/cosine
+      end associate
+   end subroutine angle_of_law
 
    !> Sine of the lens of a crossing at the present angle of the axes; next to ends and joints it stays.
    pure subroutine sine_of_lens(point, sine, slope, curvature)

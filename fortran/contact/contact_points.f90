@@ -132,7 +132,8 @@ module litz_contact_points
       !> ends and joints, where the sine stays
       real(dp) :: lens_quality(2) = 0
       !> Energy over that of the present far field [-], and what the torque about the normal lacks for what the far
-      !> field does as wires turn, of the whole contact as a crossing and as places (litz_lens_growth) [N m]
+      !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
+      !> (litz_lens_growth) [N m]
       real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0
       !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
       !> long one

@@ -5,13 +5,16 @@ module litz_contact_spots
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_history, only: force_of_spot
+   use litz_contact_lens, only: angle_of_law
    use litz_contact_points, only: contact_point_t, law_bad_data
+   use litz_element_library, only: elements_t
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, kept_lens, lens_spot_t, lens_spot, lens_integral, n_depths, share_of_line
    use litz_line_kinematics, only: line_course
    use litz_line_law, only: line_wires_t
-   use litz_model, only: interaction_t
-   use litz_normal_forces, only: is_lens, law_of_spot, share_of_ellipse, weight_of_lens
+   use litz_model, only: interaction_t, model_t
+   use litz_normal_forces, only: apply_normal_law, is_lens, law_of_spot, line_of_point, share_of_ellipse, &
+      weight_of_lens
    use litz_normal_law, only: force_of_gap_t
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was
@@ -23,13 +26,18 @@ module litz_contact_spots
    private
    public :: find_spot, keep_current
 
+   !> Change of the angle of a lens over its sine, for differences
+   real(dp), parameter :: small_turn = 1.0e-4_dp
+
 contains
 
    !> The spot of a closed contact between conductors.
    !>
    !> What makes a spot that is remembered is the largest force, of a crossing as a whole or of a place of a line per
    !> length; at the present angle.
-   subroutine find_spot(law, wires, pair, x, t, length, point, circuit)
+   subroutine find_spot(model, elements, law, wires, pair, x, t, length, point, circuit)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
       type(interaction_t), intent(in) :: law
       type(wires_t), intent(in) :: wires
       type(wire_pair_t), intent(in) :: pair
@@ -38,7 +46,68 @@ contains
       type(contact_point_t), intent(inout) :: point
       type(spot_in_circuit_t), intent(out) :: circuit
 
+      real(dp) :: slope, curvature, by_angle
+
       circuit%series_resistance = pair%series_resistance
+      call find_spot_at_angle(law, wires, pair, x, t, length, point, circuit)
+      associate (spot => circuit%spot)
+         if (point%line_place > 0) then
+            spot%dconductance_dangle = 0
+         else
+            call angle_of_law(point, slope, curvature)
+            if (is_lens(law%normal, point) .and. abs(slope) > 0) then
+               call turn_spot(model, elements, law, wires, pair, x, t, length, point, by_angle)
+               spot%dconductance_dangle = by_angle - spot%dconductance_dforce*circuit%follows &
+                  *point%at_gap%dforce_dangle
+            end if
+            spot%dconductance_dangle = spot%dconductance_dangle*slope
+         end if
+      end associate
+      ! the resistivities are those at the temperatures of the places
+      associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
+         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
+            + by_place(2)*point%kinematics%dxi
+      end associate
+   end subroutine find_spot
+
+   !> How the conductance of a lens changes with the angle of its law at a gap that stays, by a difference [S/rad].
+   subroutine turn_spot(model, elements, law, wires, pair, x, t, length, point, by_angle)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred before unbarred
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(in) :: point
+      real(dp), intent(out) :: by_angle
+      type(contact_point_t) :: turned(2)
+      type(spot_in_circuit_t) :: circuit(2)
+      real(dp) :: change
+      integer :: side
+
+      change = small_turn*point%law_sine
+      turned = point
+      turned%law_angle = point%law_angle + [-change, change]
+      turned%law_sine = sin(turned%law_angle)
+      call apply_normal_law(model, elements, turned)
+      do side = 1, 2
+         turned(side)%line = line_of_point(pair, turned(side))
+         call find_spot_at_angle(law, wires, pair, x, t, length, turned(side), circuit(side))
+      end do
+      by_angle = (circuit(2)%spot%conductance - circuit(1)%spot%conductance)/(2*change)
+   end subroutine turn_spot
+
+   !> The spot at the angle of the law.
+   subroutine find_spot_at_angle(law, wires, pair, x, t, length, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(wire_pair_t), intent(in) :: pair
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred before unbarred
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(inout) :: point
+      type(spot_in_circuit_t), intent(inout) :: circuit
+
       if (has_yielded_spot(law)) then
          if (point%line_place > 0) then
             call find_yielded_cell(law, pair, line_course(x, t, length, axis_hermite, point%foot_at_end, &
@@ -51,12 +120,7 @@ contains
       else
          call find_spot_of_force(law, wires, pair, x, t, length, point, circuit)
       end if
-      ! the resistivities are those at the temperatures of the places
-      associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
-         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
-            + by_place(2)*point%kinematics%dxi
-      end associate
-   end subroutine find_spot
+   end subroutine find_spot_at_angle
 
    !> The spot that a force makes, or has made.
    subroutine find_spot_of_force(law, wires, pair, x, t, length, point, circuit)
@@ -194,10 +258,11 @@ contains
       call contact_spot(law%spot, spot_force, pair, point%ellipse, spot, info)
       if (info /= spot_ok) point%law_status = law_bad_data
       spot%conductance = point%weight*spot%conductance
+      spot%dconductance_dangle = point%weight*spot%dconductance_dangle
       spot%dconductance_dresistivity = point%weight*spot%dconductance_dresistivity
    end subroutine spot_of_crossing
 
-   !> A spot that turns from one law into another, at the angle of a lens, which stays.
+   !> A spot that turns from one law into another.
    pure type(contact_spot_t) function between(first, second, share) result(spot)
       type(contact_spot_t), intent(in) :: first, second
       !> Of the second one

@@ -354,7 +354,7 @@ contains
       looked_at%line = line_of_point(pair, point)
       call pair_geometry(domain%model, domain%wires, domain%elements, point%element_bar, point%element, &
          domain%iterate%x, domain%iterate%rotation, x, t, length)
-      call find_spot(law, domain%wires, pair, x, t, length, looked_at, circuit)
+      call find_spot(domain%model, domain%elements, law, domain%wires, pair, x, t, length, looked_at, circuit)
       conductance = circuit%spot%conductance
       if (.not. present(row)) return
       associate (spot => circuit%spot, by_force => circuit%spot%dconductance_dforce*circuit%follows)

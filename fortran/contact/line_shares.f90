@@ -74,8 +74,8 @@ contains
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
-                  call settle_growth(law, wires_of(model, elements, point), point)
                   call share_crossing(law, wires, elements, contact, by_place, point)
+                  call settle_growth(law, wires_of(model, elements, point), point)
                end if
             end associate
             call blend_angle_of_lens(point)
@@ -206,6 +206,7 @@ contains
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
+               if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
                ! the iteration goes on from the overlap that it has come to
                if (earlier%weight > 0) point%mixed_force = point%mixed_force*(point%weight/earlier%weight)
                if (is_cut(point%lens)) then

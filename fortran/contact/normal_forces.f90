@@ -5,6 +5,7 @@
 !> independent force. The converged force is that of the law at the true gap.
 module litz_normal_forces
    use litz_kinds, only: dp, pi
+   use litz_contact_lens, only: angle_of_law
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end, law_compacts
    use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
@@ -245,12 +246,17 @@ contains
       is_shaped = is_cut(point%lens) .and. .not. law%is_straight
    end function is_shaped
 
-   !> The law that its spot follows: a lens has what the ends leave of it as in the last state in balance.
+   !> The law that its spot follows, by the angle of the axes: a lens has what the ends leave of it as in the last state
+   !> in balance.
    pure type(force_of_gap_t) function law_of_spot(law, point) result(found)
       type(normal_law_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
 
+      real(dp) :: slope, curvature
+
       found = point%at_gap
+      call angle_of_law(point, slope, curvature)
+      found%dforce_dangle = found%dforce_dangle*slope
       if (is_lens(law, point) .and. point%cut > 0) found%dforce_dgap = found%dforce_dgap*kept_part(point) &
          /(point%cut*point%cut_stiffness)
    end function law_of_spot

@@ -7,19 +7,16 @@
 module litz_turning_forces
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
-   use litz_contact_lens, only: sine_of_lens
+   use litz_contact_lens, only: angle_of_law
    use litz_contact_mechanics, only: form_hessian
    use litz_contact_points, only: contact_point_t
    use litz_contact_turning, only: contact_turning, turning_t
    use litz_cut_lens, only: is_cut
-   use litz_lens_growth, only: settled_torque
+   use litz_lens_growth, only: settled_turning
    use litz_normal_law, only: force_of_gap_t
    implicit none
    private
    public :: find_turning
-
-   !> Below this cosine the angle of the law is a right one, which nothing changes
-   real(dp), parameter :: smallest_cosine = 1.0e-6_dp
 
 contains
 
@@ -35,7 +32,8 @@ contains
       !> Tangent (24, 24) and residual (24)
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
       type(turning_t) :: law
-      real(dp) :: unused(n_motions), slope, settled
+      type(turning_t) :: settled
+      real(dp) :: unused(n_motions), slope
 
       k = 0
       r = 0
@@ -44,8 +42,8 @@ contains
       point%iteration_torque = 0
       if (point%line_place > 0 .or. any(point%held) .or. is_cut(point%lens)) return
       law = turning_of(point, point%at_gap)
-      settled = settled_torque(point)
-      point%torque = law%denergy + settled
+      settled = settled_turning(point)
+      point%torque = law%denergy + settled%denergy
       r = point%torque*point%kinematics%dangle
       if (point%active .and. point%stiffness > 0) point%turning = turning_of(point, point%at_mixed)
       associate (turning => point%turning)
@@ -54,7 +52,8 @@ contains
          ! at first touch no force is known yet
          if (.not. point%geometric_force > 0) turning = turning_t(0.0_dp, turning%dforce*slope, turning%dforce, &
             turning%growth)
-         turning%denergy = turning%denergy + settled
+         turning%denergy = turning%denergy + settled%denergy
+         turning%d2energy = turning%d2energy + settled%d2energy
          point%iteration_torque = turning%denergy + slope*(point%iteration_force - point%mixed_force)
          if (any(abs([turning%denergy, turning%d2energy, turning%dforce]) > 0)) call contact_turning( &
             point%kinematics, x, t, length, axis, turning, form_hessian, k, unused)
@@ -65,20 +64,9 @@ contains
    pure type(turning_t) function turning_of(point, law) result(turning)
       type(contact_point_t), intent(in) :: point
       type(force_of_gap_t), intent(in) :: law
-      real(dp) :: slope, curvature, cosine, of_lens, slope_of_lens, curvature_of_lens
+      real(dp) :: slope, curvature
 
-      slope = 1
-      curvature = 0
-      if (point%lens_share > 0) then
-         ! sin(theta) = (1 - share) sin(psi) + share s(psi)
-         cosine = cos(point%law_angle)
-         if (.not. cosine > smallest_cosine) return
-         associate (share => point%lens_share, psi => point%kinematics%angle)
-            call sine_of_lens(point, of_lens, slope_of_lens, curvature_of_lens)
-            slope = ((1 - share)*point%kinematics%cos_angle + share*slope_of_lens)/cosine
-            curvature = (sin(point%law_angle)*slope**2 - (1 - share)*sin(psi) + share*curvature_of_lens)/cosine
-         end associate
-      end if
+      call angle_of_law(point, slope, curvature)
       turning%denergy = law%denergy_dangle*slope
       turning%d2energy = law%d2energy_dangle2*slope**2 + law%denergy_dangle*curvature
       turning%dforce = law%dforce_dangle*slope

@@ -32,12 +32,11 @@ contains
       if (.not. point%yielding%area > 0) return
       circuit%spot = spot_of_state(law%spot, pair%resistivity, point%yielding, point%ellipse%ratio)
       associate (spot => circuit%spot)
-         circuit%dconductance = point%weight*(spot%dconductance_dangle*point%kinematics%dangle &
-            - spot%dconductance_dforce*point%kinematics%dgap)
+         circuit%dconductance = -point%weight*spot%dconductance_dforce*point%kinematics%dgap
          spot%conductance = point%weight*spot%conductance
          spot%dconductance_dresistivity = point%weight*spot%dconductance_dresistivity
          spot%dconductance_dforce = 0
-         spot%dconductance_dangle = 0
+         spot%dconductance_dangle = point%weight*spot%dconductance_dangle
       end associate
    end subroutine find_yielded_spot
 
