@@ -3,8 +3,9 @@
 !> The overlap of a crossing falls from its middle as a parabola, which the end of a wire cuts: litz_cut_lens has the
 !> energy that is left. Source: theory section 10.
 module litz_contact_lens
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
+   use litz_closest_points, only: parallel_sine
    use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
    use litz_cut_lens, only: cut_lens_t, flat_tilt, is_cut, steep_tilt
    use litz_element_library, only: elements_t
@@ -79,12 +80,20 @@ contains
       !> And its first and second derivative by the angle
       real(dp), intent(out) :: sine, slope, curvature
 
-      sine = 0
-      if (.not. is_cut(point%lens)) call sine_at_angle(point%lens_quality, point%kinematics%angle, sine, slope, &
-         curvature)
-      if (sine > least_part*point%lens_sine) return
+      logical :: stays
+
+      stays = is_cut(point%lens) .or. .not. all(point%lens_quality > 0)
       sine = point%lens_sine
-      if (all(point%lens_quality > 0) .and. .not. is_cut(point%lens)) sine = least_part*sine
+      if (.not. stays) then
+         ! of parallel axes the angle is stationary
+         associate (least => asin(parallel_sine))
+            call sine_at_angle(point%lens_quality, max(least, min(pi - least, point%kinematics%angle)), &
+               sine, slope, curvature)
+            stays = .not. (sine > least_part*point%lens_sine .and. sin(point%kinematics%angle) > parallel_sine)
+            sine = max(sine, least_part*point%lens_sine)
+         end associate
+      end if
+      if (.not. stays) return
       slope = 0
       curvature = 0
    end subroutine sine_of_lens
