@@ -7,7 +7,7 @@
 module litz_contact_crossings
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
-   use litz_closest_points, only: closest_points, end_tolerance, max_minima, closest_inside, closest_not_unique, &
+   use litz_closest_points, only: closest_points, max_minima, closest_inside, closest_beyond, closest_not_unique, &
       closest_parallel
    use litz_contact_candidates, only: skin
    use litz_contact_ends, only: minimum_t, add_ends, max_ends
@@ -110,8 +110,10 @@ contains
          if (distance > 0) return
          call closest_points(xe, t, length, axis_of_pair(model, candidate(3)), nearest(1), nearest(2), status, &
             others=others, n_others=n_others)
-         if (any(status == [closest_inside, closest_not_unique, closest_parallel]) .and. &
-            all(abs(nearest) <= 1 + end_tolerance)) minima%n = 1
+         ! both elements at a node find a point there, and the first one has it: it does not go from one to the other
+         ! as the iteration moves it by round-off
+         if (any(status == [closest_inside, closest_beyond, closest_not_unique, closest_parallel]) .and. &
+            all(abs(nearest) <= 1 + near_node)) minima%n = 1
          minima%at(1)%xi = nearest
          do i = 1, min(n_others, max_others)
             minima%n = minima%n + 1

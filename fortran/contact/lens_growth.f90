@@ -42,9 +42,9 @@ contains
       !> With the shares of an earlier state; out: `energy_ratio`, `lacking_torque` and `lacking_torque_of_places`
       type(contact_point_t), intent(inout) :: point
       type(turned_lens_t) :: now, turned
-      type(line_wires_t) :: kept
+      type(line_wires_t) :: line
       type(lens_t) :: lens
-      real(dp) :: sine, longest, reach, change, grown(-1:1), energy, by_angle(2)
+      real(dp) :: sine, longest, reach, change, kept, of_growth, by_angle, grown(-1:1), unused
       integer :: side
 
       point%energy_ratio = 1
@@ -62,19 +62,20 @@ contains
       change = small_turn*now%sine**2/sine
       do side = -1, 1
          turned = lens_at(pair, point, point%kinematics%angle + side*change)
-         grown(side) = grown_energy(turned%line, point%gap, turned%law_sine, reach*now%sine/turned%sine, longest)
-      end do
-      kept = now%line
-      kept%section = share_of_line(reach)*kept%section
-      call lens_energy(kept, point%gap, now%law_sine, 0.0_dp, energy, by_angle(1), by_angle(2))
-      lens = lens_force(kept, point%gap, now%law_sine, 0.0_dp)
-      point%energy_ratio = grown(0)/energy
-      associate (torque => (grown(1) - grown(-1))/(2*change))
-         point%lacking_torque = (torque - by_angle(1)*now%law_slope)/sine
+         line = turned%line
+         line%section = share_of_line(reach)*line%section
+         call lens_energy(line, point%gap, turned%law_sine, 0.0_dp, kept, by_angle, unused)
+         grown(side) = grown_energy(turned%line, point%gap, turned%law_sine, reach*now%sine/turned%sine, longest) - kept
+         if (side /= 0) cycle
+         point%energy_ratio = 1 + grown(0)/kept
+         lens = lens_force(line, point%gap, turned%law_sine, 0.0_dp)
          ! as the wires turn, the overlap of a place at u aW from the middle changes by -2 delta u^2 ds/s
-         point%lacking_torque_of_places = (torque - 2*point%gap*now%slope/now%sine*lens%half_length &
-            *dot_product(gauss_weight*(1 - gauss_depth), lens%along%force))/sine
-      end associate
+         point%lacking_torque_of_places = by_angle*now%law_slope - 2*point%gap*now%slope/now%sine*lens%half_length &
+            *dot_product(gauss_weight*(1 - gauss_depth), lens%along%force)
+      end do
+      of_growth = (grown(1) - grown(-1))/(2*change)
+      point%lacking_torque = of_growth/sine
+      point%lacking_torque_of_places = (point%lacking_torque_of_places + of_growth)/sine
    end subroutine settle_growth
 
    elemental logical function lacks_torque(point)
