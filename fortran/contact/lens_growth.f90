@@ -25,6 +25,9 @@ module litz_lens_growth
    !> Relative change of the square of the sine of a lens, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
 
+   !> From this number of radii on, up to three times as many, a lens becomes a line whose far field is the section alone
+   real(dp), parameter :: far = 3
+
    !> A lens at an angle of the axes.
    type :: turned_lens_t
       !> At the angle of the law, with the whole section
@@ -54,9 +57,11 @@ contains
       if (law%is_straight .or. law%yields()) return
       if (any(point%held) .or. is_cut(point%lens) .or. .not. point%gap < 0) return
       if (.not. has_lens(point)) return
-      now = lens_at(pair, point, point%kinematics%angle)
       longest = deepest*minval(point%radius)
       reach = half_length_of(point, longest)/minval(point%radius)
+      ! short lenses that crossings carry have the energy of the ellipse
+      if (share_of_line((1 + small_turn)*reach) <= 0 .and. point%weight >= 1) return
+      now = lens_at(pair, point, point%kinematics%angle)
       sine = sin(point%kinematics%angle)
       if (.not. sine > 0) return
       change = small_turn*now%sine**2/sine
@@ -67,7 +72,7 @@ contains
          call lens_energy(line, point%gap, turned%law_sine, 0.0_dp, kept, by_angle, unused)
          grown(side) = grown_energy(turned%line, point%gap, turned%law_sine, reach*now%sine/turned%sine, longest) - kept
          if (side /= 0) cycle
-         point%energy_ratio = 1 + grown(0)/kept
+         if (kept > 0) point%energy_ratio = 1 + grown(0)/kept
          lens = lens_force(line, point%gap, turned%law_sine, 0.0_dp)
          ! as the wires turn, the overlap of a place at u aW from the middle changes by -2 delta u^2 ds/s
          point%lacking_torque_of_places = by_angle*now%law_slope - 2*point%gap*now%slope/now%sine*lens%half_length &
@@ -75,7 +80,8 @@ contains
       end do
       of_growth = (grown(1) - grown(-1))/(2*change)
       point%lacking_torque = of_growth/sine
-      point%lacking_torque_of_places = (point%lacking_torque_of_places + of_growth)/sine
+      point%lacking_torque_of_places = (point%lacking_torque_of_places + of_growth)/sine &
+         *(1 - share_of_line(reach/far))
    end subroutine settle_growth
 
    elemental logical function lacks_torque(point)
