@@ -25,16 +25,14 @@ module litz_contact_points
    implicit none
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
-   public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_yields_at_end, law_compacts
+   public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_compacts
    public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
       chain_by_wire, chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known;
-   !> wires that yield touch at an end or a kink
-   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3, law_yields_at_end = 4
-   !> The spot of wires that yield is too large for their thickness
-   integer, parameter :: law_compacts = 5
+   !> the spot of wires that yield is too large for their thickness
+   integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3, law_compacts = 4
 
    !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
    !> leads away from a joint near by.

@@ -7,6 +7,7 @@ module litz_dents
    use litz_kinds, only: dp, pi
    use litz_contact_history, only: dent_memory_t, left_dents_t
    use litz_contact_points, only: contact_point_t, contact_set_t
+   use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: earlier_dent_t, wire_pair_t
@@ -317,8 +318,13 @@ contains
       integer :: info
 
       half_axes = 0
-      call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
-      if (info /= hertz_ok) return
+      if (is_cut(point%lens)) then
+         ellipse = point%ellipse
+         if (.not. ellipse%semi_major > 0) return
+      else
+         call hertz_ellipse(pair%radius, pair%young, pair%poisson, point%law_angle, ellipse, info)
+         if (info /= hertz_ok) return
+      end if
       dent = dent_of_wires(law, pair, ellipse, earlier)
       half_axes = sqrt(dent%area/(pi*ellipse%ratio))*[1.0_dp, ellipse%ratio]
    end subroutine dent_here

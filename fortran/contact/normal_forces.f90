@@ -6,7 +6,7 @@
 module litz_normal_forces
    use litz_kinds, only: dp, pi
    use litz_contact_lens, only: angle_of_law
-   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_yields_at_end, law_compacts
+   use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_compacts
    use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
@@ -105,7 +105,6 @@ contains
          pair = wires_of(model, elements, point)
          if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
-         if (law%normal%yields() .and. is_at_end(point)) point%law_status = law_yields_at_end
          if (point%line_place > 0) then
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
@@ -118,7 +117,9 @@ contains
                call press_lens(law%normal, pair, point)
             end if
          else
-            if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
+            if (law%normal%yields()) then
+               call find_ellipse_of_metal(law%normal, pair, point)
+            else if (law%normal%uses_ellipse .or. law%spot%uses_ellipse .or. law%heat%uses_ellipse) then
                call find_ellipse(pair, point)
             end if
             if (point%law_status /= law_ok) return
@@ -166,7 +167,7 @@ contains
             point%dent_depth = depth_of_lens(lens)
             return
          end if
-         call find_ellipse(pair, point)
+         call find_ellipse_of_metal(law, pair, point)
          if (.not. point%ellipse%semi_major > 0) return
          dent = dent_of_wires(law, pair, point%ellipse, point%history%dent%at_any_angle())
          point%felt_force = dent%force
@@ -174,13 +175,6 @@ contains
          point%dent_depth = dent%depth
       end associate
    end subroutine find_dent
-
-   !> A contact at a point next to an end or a joint.
-   pure logical function is_at_end(point)
-      type(contact_point_t), intent(in) :: point
-
-      is_at_end = point%line_place == 0 .and. (any(point%held) .or. is_cut(point%lens))
-   end function is_at_end
 
    !> What the contact of wires that yield is at the present gap.
    pure subroutine follow_yielding(law, pair, point)
@@ -238,12 +232,31 @@ contains
       if (info /= hertz_ok) point%law_status = law_parallel
    end subroutine find_ellipse
 
-   !> The law of a point that ends or joints cut: a penalty per contact does not ask for its shape.
+   !> The same where the metal yields: next to an end or a joint it feels one ellipse that has the force of all shapes
+   !> there, as elastic wires would. It stays within an iteration.
+   pure subroutine find_ellipse_of_metal(law, pair, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      integer :: info
+
+      if (is_cut(point%lens)) then
+         if (point%gap < 0 .and. .not. point%lens%has_energies) call settle_ends(law, pair, point)
+         if (any(point%force_part > 0)) then
+            call ellipse_of_parts(pair, point, info)
+            if (info == hertz_ok) return
+         end if
+      end if
+      call find_ellipse(pair, point)
+   end subroutine find_ellipse_of_metal
+
+   !> The law of a point that ends or joints cut: a penalty per contact does not ask for its shape, and metal that
+   !> yields has the ellipse of all shapes.
    pure logical function is_shaped(law, point)
       type(normal_law_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
 
-      is_shaped = is_cut(point%lens) .and. .not. law%is_straight
+      is_shaped = is_cut(point%lens) .and. .not. (law%is_straight .or. law%yields())
    end function is_shaped
 
    !> The law that its spot follows, by the angle of the axes: a lens has what the ends leave of it as in the last state
@@ -309,8 +322,12 @@ contains
       type(force_of_gap_t), intent(in) :: base
       type(contact_point_t), intent(inout) :: point
 
-      if (is_shaped(law, point) .or. is_lens(law, point) .and. is_cut(point%lens)) then
+      if (is_shaped(law, point) .or. is_lens(law, point) .and. is_cut(point%lens) .and. .not. law%yields()) then
          call cut_force(law, pair, base, point)
+      else if (is_lens(law, point) .and. is_cut(point%lens)) then
+         point%cut = kept_part(point)
+         point%cut_stiffness = 1
+         point%at_gap = scaled(base, point%weight*point%cut)
       else
          point%at_gap = scaled(base, point%weight)
          point%cut = 1
@@ -376,16 +393,18 @@ contains
       type(lens_state_t) :: state, before
       real(dp) :: overlap, weight
 
+      if (is_cut(point%lens) .and. point%gap < 0 .and. .not. point%lens%has_energies) call settle_ends(normal, pair, &
+         point)
       lens = lens_of_wires(normal, pair, point)
       state = state_of_lens(lens, -point%gap)
       if (state%has_yielded) call turn_lens(normal, pair, point, -point%gap, state%law)
       call press(normal, pair, state%law, point)
       if (point%closed) then
          point%yielding = state%spot
-         point%yielded = point%weight*state%dissipated
+         point%yielded = point%weight*point%cut*state%dissipated
          if (has_turned_in_dent(point)) then
             before = state_of_lens(with_dent(lens, point%history%dent%at_last_angle()), -point%gap)
-            point%yielded = point%weight*(before%dissipated + before%law%energy - state%law%energy)
+            point%yielded = point%weight*point%cut*(before%dissipated + before%law%energy - state%law%energy)
          end if
          point%yielding_force = state%law%force
       end if

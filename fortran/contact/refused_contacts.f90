@@ -1,9 +1,7 @@
 !> Contacts that litz does not model, and laws that do not take their data.
 module litz_refused_contacts
-   use litz_contact_points, only: contact_point_t, law_parallel, law_bad_data, law_too_curved, law_yields_at_end, &
-      law_compacts
+   use litz_contact_points, only: contact_point_t, law_parallel, law_bad_data, law_too_curved, law_compacts
    use litz_errors, only: error_t, fail, exit_input
-   use litz_line_contact, only: line_obstacle
    use litz_model, only: model_t
    use litz_text, only: to_text
    use litz_yielding_spot, only: widest_spot
@@ -17,7 +15,7 @@ contains
    pure function refused_contact(model, points) result(reason)
       type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason, obstacle
+      character(len=:), allocatable :: reason
       integer :: i
 
       reason = ''
@@ -31,13 +29,6 @@ contains
          case (law_too_curved)
             reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &
                ') by nearly their distance: such a contact is not modelled'
-            return
-         case (law_yields_at_end)
-            reason = 'wires touch at an end or a kink ('//elements_of(model, points(i))// &
-               '), where YIELD of *SURFACE BEHAVIOR is not modelled: give a contact pair of these elements a'// &
-               ' surface interaction without YIELD'
-            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
-            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
             return
          case (law_compacts)
             reason = 'the spot of wires that yield ('//elements_of(model, points(i))//') has the area of a circle'// &

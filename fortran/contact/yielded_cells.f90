@@ -57,7 +57,10 @@ contains
       cell = point%cell
       strips = strips_of_cell(law, pair, place, cell)
       if (.not. strips%conductance > 0) return
-      change = small_change*abs(cell%overlap)
+      ! of the deepest overlap that the cell may have
+      associate (reach => maxval(cell%reach))
+         change = small_change*(abs(cell%overlap) + abs(cell%slope)*reach + abs(cell%bend)*reach**2/2)
+      end associate
       if (cell%overlap < place%dent%overlap) change = -change
       cell%overlap = point%cell%overlap + change/2
       near = strips_of_cell(law, pair, place, cell)
