@@ -203,15 +203,6 @@ def test_spots_that_do_not_follow_strips_end_the_run_in_words(run, spot, words):
     assert words in process.stderr
 
 
-def test_ends_that_yield_end_the_run_in_words(run):
-    """The upper wire ends over the lower one, at 30 degrees."""
-    lower, upper = along(LENGTH, 8, start=-LENGTH / 2), along(LENGTH, 8, degrees=30.0, height=2 * COPPER.radius)
-    process, _ = run(two_wires(lower, upper, GUIDED, to(1e-6), law=BEHAVIOR + CLEAN))
-    assert process.returncode != 0
-    assert "YIELD of *SURFACE BEHAVIOR is not modelled" in process.stderr
-    assert "interaction without YIELD" in process.stderr
-
-
 def test_rigid_surfaces_are_for_wires_that_do_not_yield(run):
     drum = "*NODE\n 901, 0, 0, -1e-2\n*RIGID SURFACE, NAME=DRUM, TYPE=CYLINDER, REF NODE=901\n 0, 0, -1e-2, 0, 1, 0, 9e-3\n"
     process, _ = run(wires(f"{drum}*CONTACT PAIR, INTERACTION=TOUCH\n LOWER, DRUM\n", to(1e-6)))
