@@ -11,12 +11,12 @@ module litz_contact_crossings
       closest_parallel
    use litz_contact_candidates, only: skin
    use litz_contact_ends, only: minimum_t, add_ends, max_ends
-   use litz_contact_kinematics, only: contact_kinematics, kinematics_ok
+   use litz_contact_kinematics, only: contact_kinematics, hold_angle, kinematics_ok
    use litz_contact_legs, only: measure_legs
    use litz_contact_lens, only: is_at_cut_end
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
+      holds_angle, settle_angle, away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
@@ -321,6 +321,9 @@ contains
             if (have_passed(point%start, crossing_at(wires, point))) call contact_kinematics(xe, t, length, axis, &
                elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
          end if
+         if (.not. holds_angle(point)) call settle_angle(point)
+         if (info == kinematics_ok .and. point%angle_stays .and. .not. any(point%held)) call hold_angle(xe, t, length, &
+            axis, point%angle_at, kinematics)
          if (info == kinematics_ok) call set_tangents(model, wires, elements, axis, x, rotation, xe, t, length, point)
          point%regular = info == kinematics_ok
          call add_taper(elements%taper([eb, e]), kinematics)

@@ -25,7 +25,7 @@ module litz_lens_growth
    !> Relative change of the square of the sine of a lens, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
 
-   !> From this number of radii on, up to three times as many, a lens becomes a line whose far field is the section alone
+   !> From this number of radii on, up to three times as many, a lens becomes a line whose far field is the section
    real(dp), parameter :: far = 3
 
    !> A lens at an angle of the axes.

@@ -8,7 +8,7 @@ module litz_line_shares
    use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
       place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
-      law_too_curved
+      settle_angle, law_too_curved
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
@@ -183,6 +183,7 @@ contains
       call find_long_overlaps(wires, elements, sorted, contact)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
+            call settle_angle(point)
             if (serves_lines(model, point%pair)) call settle_growth(model%interactions(model%contact_pairs( &
                point%pair)%interaction)%normal, wires_of(model, elements, point), point)
          end associate

@@ -25,7 +25,7 @@ module litz_contact_kinematics
    use litz_closest_points, only: parallel_sine
    implicit none
    private
-   public :: contact_kinematics_t, contact_kinematics, n_motions
+   public :: contact_kinematics_t, contact_kinematics, hold_angle, n_motions
    public :: kinematics_ok, kinematics_parallel, kinematics_singular
 
    integer, parameter :: kinematics_ok = 0
@@ -54,6 +54,9 @@ module litz_contact_kinematics
       integer :: side = 0
       !> Angle between the tangents x' and xb' [rad], in (0, pi), and its cosine
       real(dp) :: angle = 0, cos_angle = 0
+      !> They are those at fixed places of the barred and the unbarred axis (2), and not at the closest points
+      logical :: angle_stays = .false.
+      real(dp) :: angle_at(2) = 0
       !> First variations: rows over the unknowns
       real(dp) :: dgap(24) = 0, dxi_bar(24) = 0, dxi(24) = 0, dcos_angle(24) = 0, dangle(24) = 0
       !> Second variation of the gap: rows of B and Q, and what is between them: `G^-1 H M^-1` between B and B, `M^-1`
@@ -206,6 +209,32 @@ contains
          kinematics%dxi_bar = -m_inverse(2, 1)*c(:, 1) - m_inverse(2, 2)*c(:, 2)
       end associate
    end subroutine add_moves
+
+   !> The angle at places that stay while the closest points move.
+   pure subroutine hold_angle(x, t, length, axis, places, kinematics)
+      !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
+      real(dp), intent(in) :: x(3, 4), t(3, 4)
+      !> Reference lengths (2) [m]: barred, unbarred
+      real(dp), intent(in) :: length(2)
+      !> `axis_linear` or `axis_hermite` of litz_axis_choices
+      integer, intent(in) :: axis
+      !> In the barred and the unbarred element (2)
+      real(dp), intent(in) :: places(2)
+      type(contact_kinematics_t), intent(inout) :: kinematics
+      real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
+      real(dp), dimension(3) :: x1, xb1
+
+      call axis_shape(axis, length(2), places(2), h, h1, h2)
+      call axis_shape(axis, length(1), places(1), hb, hb1, hb2)
+      x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
+      xb1 = on_axis(hb1, x(:, 1:2), t(:, 1:2))
+      kinematics%angle_stays = .true.
+      kinematics%angle_at = places
+      kinematics%angle = atan2(norm2(cross(x1, xb1)), dot_product(x1, xb1))
+      kinematics%cos_angle = cos(kinematics%angle)
+      kinematics%dangle = 0
+      call add_angle(kinematics, t, x1, 0*x1, xb1, 0*xb1, h1, hb1)
+   end subroutine hold_angle
 
    !> How the angle changes: through the unit tangents `e`, by the nodes and by the move of the closest points.
    pure subroutine add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)

@@ -92,28 +92,35 @@ contains
       type(axis_point_t) :: a, b
       type(turning_axis_t) :: of_a, of_b
       real(dp), dimension(n_motions, 10) :: left, right
-      real(dp) :: no_change(n_motions, 2), cotangent, sine
+      real(dp) :: no_change(n_motions, 2), xi(n_motions), xi_bar(n_motions), places(2), cotangent, sine
       integer :: i
 
-      a = axis_point(axis, length(2), kinematics%xi, x(:, 3:4), t(:, 3:4))
-      b = axis_point(axis, length(1), kinematics%xi_bar, x(:, 1:2), t(:, 1:2))
-      of_a = turning_axis(kinematics, a, b%x(:, 1), t(:, 3:4), 12, kinematics%dxi)
-      of_b = turning_axis(kinematics, b, a%x(:, 1), t(:, 1:2), 0, kinematics%dxi_bar)
+      places = [kinematics%xi_bar, kinematics%xi]
+      xi = kinematics%dxi
+      xi_bar = kinematics%dxi_bar
+      if (kinematics%angle_stays) then
+         places = kinematics%angle_at
+         xi = 0
+         xi_bar = 0
+      end if
+      a = axis_point(axis, length(2), places(2), x(:, 3:4), t(:, 3:4))
+      b = axis_point(axis, length(1), places(1), x(:, 1:2), t(:, 1:2))
+      of_a = turning_axis(kinematics, a, b%x(:, 1), t(:, 3:4), 12, xi)
+      of_b = turning_axis(kinematics, b, a%x(:, 1), t(:, 1:2), 0, xi_bar)
       sine = sin(kinematics%angle)
       cotangent = kinematics%cos_angle/sine
-      associate (xi => kinematics%dxi, xi_bar => kinematics%dxi_bar)
-         left = reshape([of_a%along, of_a%towards, of_a%out, of_a%mixed, xi, &
-            of_b%along, of_b%towards, of_b%out, of_b%mixed, xi_bar], shape(left))
-         right = reshape([of_a%towards, of_a%along, cotangent*of_a%out - of_b%out/sine, xi, &
-            of_a%mixed + dot_product(of_a%slope, a%x(:, 3))*xi, &
-            of_b%towards, of_b%along, cotangent*of_b%out - of_a%out/sine, xi_bar, &
-            of_b%mixed + dot_product(of_b%slope, b%x(:, 3))*xi_bar], shape(right))
-      end associate
+      left = reshape([of_a%along, of_a%towards, of_a%out, of_a%mixed, xi, &
+         of_b%along, of_b%towards, of_b%out, of_b%mixed, xi_bar], shape(left))
+      right = reshape([of_a%towards, of_a%along, cotangent*of_a%out - of_b%out/sine, xi, &
+         of_a%mixed + dot_product(of_a%slope, a%x(:, 3))*xi, &
+         of_b%towards, of_b%along, cotangent*of_b%out - of_a%out/sine, xi_bar, &
+         of_b%mixed + dot_product(of_b%slope, b%x(:, 3))*xi_bar], shape(right))
       k = k + moment*matmul(left, transpose(right))
       do i = 1, 2
          call add_turning_tangent(t(:, i), moment*b%h(2*i, 1)*of_b%slope, 6*i - 2, k)
          call add_turning_tangent(t(:, 2 + i), moment*a%h(2*i, 1)*of_a%slope, 12 + 6*i - 2, k)
       end do
+      if (kinematics%angle_stays) return
       no_change = 0
       k = k + tangent_of_closest_points(kinematics, a, b, t, moment*[dot_product(of_a%slope, a%x(:, 2)), &
          dot_product(of_b%slope, b%x(:, 2))], no_change)
@@ -129,7 +136,7 @@ contains
       real(dp), intent(in) :: t(3, 2)
       !> Unknowns before those of its nodes
       integer, intent(in) :: first
-      !> How its place moves (24)
+      !> How its place moves (24); 0: it stays
       real(dp), intent(in) :: dxi(n_motions)
       real(dp) :: e(3), u(3), size_of_a
 
