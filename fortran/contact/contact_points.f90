@@ -26,8 +26,8 @@ module litz_contact_points
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_compacts
-   public :: holds_angle, settle_angle, pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, &
-      chain_by_wire, chain_by_place, inherit, is_contact_of
+   public :: holds_angle, settle_angle, pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, &
+      add_taper, chain_by_wire, chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known;

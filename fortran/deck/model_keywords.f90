@@ -297,7 +297,7 @@ contains
          'UNLIMITED: deep penetration is not an error, for deliberately soft penalties (litz extension)', &
          default='LIMITED'))
       call k%add(number('YIELD', 'yield stress Y of the softer metal [Pa]: wires that follow HERTZ yield where they'// &
-         ' cross and along lines, and keep the dent of the largest force; not at ends or kinks, or on rigid'// &
+         ' cross, at ends and kinks and along lines, and keep the dent of the largest force; not on rigid'// &
          ' surfaces (litz extension)', limit_positive))
       call k%add(number('HARDNESS', 'hardness H, the mean pressure of the spot of crossed wires that has wholly'// &
          ' yielded [Pa]; without it 2.8 Y (litz extension)', limit_positive))

@@ -14,8 +14,8 @@ module litz_line_kinematics
    use litz_contact_kinematics, only: contact_kinematics_t, kinematics_ok, kinematics_singular
    implicit none
    private
-   public :: line_kinematics, lens_sine, sine_at_angle, crossing_qualities, line_profile_t, line_profile, line_course_t, &
-      line_course
+   public :: line_kinematics, lens_sine, sine_at_angle, crossing_qualities, line_profile_t, line_profile, &
+      line_course_t, line_course
 
    !> The distance to the barred wire along the unbarred one, round a place: `D(s) = D + t s + k s^2/2`.
    type :: line_profile_t

@@ -5,6 +5,8 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
 from verification.references.hertz import crossed_wires, effective_modulus
 
 from decks import wire
@@ -40,11 +42,13 @@ def pair(degrees, *steps, law=HERTZ, force=FORCE):
     return wires(degrees, law) + led_into_contact(degrees, force) + "".join(steps)
 
 
-def wires(degrees, law=HERTZ):
+def wires(degrees, law=HERTZ, points=None):
     angle = math.radians(degrees)
     s = np.linspace(-0.0093, 0.0107, 15)
     lower = np.column_stack([s, 0 * s, 0 * s])
     upper = np.column_stack([s * math.cos(angle), s * math.sin(angle), np.full_like(s, HEIGHT)])
+    if points is not None:
+        lower, upper = points
     return (
         wire("LOWER", lower, LOWER, element="B33")
         + wire("UPPER", upper, UPPER, element="B33")
@@ -164,3 +168,62 @@ def test_a_wire_on_a_pivot_turns_to_where_it_sinks_in_most(run):
     ends = [60 + math.degrees(turns[history["step"] == step][-1]) for step in (3, 4, 5)]
     # the reference is known to 1e-7 of the moment, and the solution to the tolerance of the residual
     assert ends == pytest.approx([60, 75, 90], abs=1e-3)
+
+
+def bent(*, lower, upper, degrees, overlap, law=HERTZ, turned_by=0.0, increments=1):
+    """Rigid wires that are bent away from each other with radii of curvature [m], crossing in the middle of an element."""
+    s = np.linspace(-0.0093, 0.0107, 41) / 2
+    angle = math.radians(degrees)
+    fall = [radius - np.sqrt(radius**2 - s**2) for radius in (lower, upper)]
+    points = [
+        np.column_stack([s, 0 * s, -fall[0]]),
+        np.column_stack([s * math.cos(angle), s * math.sin(angle), HEIGHT + fall[1]]),
+    ]
+    turn = ""
+    if turned_by:
+        size = 1 / increments
+        turn = (
+            f"*STEP, INC=1000\n*STATIC\n {size}, 1., {size / 8}, {size}\n{HELD} HEAD, 3, 3, {-overlap}\n"
+            f" HEAD, 6, 6, {math.radians(turned_by):.17g}\n{PRINT}"
+        )
+    return wires(degrees, law, points) + moved_down(overlap, 4) + turn
+
+
+def force_of_tori(degrees, overlap, *, lower, upper):
+    """Hertz's force of surfaces with these principal curvatures [N]: across the wires 1/r, along them 1/(R + r)."""
+    radii = [COPPER.radius, STEEL.radius]
+    curvature = np.zeros((2, 2))
+    for angle, radius, bend in zip((0, math.radians(degrees)), radii, (lower, upper), strict=True):
+        along, across = np.array([math.cos(angle), math.sin(angle)]), np.array([-math.sin(angle), math.cos(angle)])
+        curvature += np.outer(along, along) / (bend + radius) + np.outer(across, across) / radius
+    a, b = np.linalg.eigvalsh(curvature) / 2
+
+    def ratio(m):
+        k, e = ellipk(m), ellipe(m)
+        return (e / (1 - m) - k) / (k - e) - b / a
+
+    m = brentq(ratio, 1e-9, 1 - 1e-12)
+    semi_major = math.sqrt(overlap * (ellipk(m) - ellipe(m)) / (ellipk(m) * m * a))
+    properties = [(each.young, each.poisson) for each in (COPPER, STEEL)]
+    return 2 * math.pi * semi_major * effective_modulus(*zip(*properties, strict=True)) * overlap / (3 * ellipk(m))
+
+
+@pytest.mark.parametrize("bends", [(0.15, 0.12), (0.05, 0.05), (0.02, 0.02)])
+@pytest.mark.parametrize("degrees", [45, 20, 12, 7, 4])
+def test_bent_wires_have_the_force_of_tori(run, degrees, bends):
+    """With the angle of straight wires it would be up to twice as large."""
+    lower, upper = bends
+    results = solved(run(bent(lower=lower, upper=upper, degrees=degrees, overlap=1e-6)))
+    contacts = results.contacts_at(-1)
+    exact = force_of_tori(degrees, -contacts["gap"].min(), lower=lower, upper=upper)
+    # one sine stands for both curvatures
+    assert contacts["force"].sum() == pytest.approx(exact, rel=0.012)
+
+
+def test_the_work_of_turning_bent_wires_is_what_they_hold(run):
+    deck = bent(lower=0.15, upper=0.12, degrees=15, overlap=2e-6, turned_by=-13, increments=52)
+    history = solved(run(deck)).history
+    turning = history["step"] == 2
+    change = history["ETOTAL"][turning] - history["ETOTAL"][~turning][-1]
+    assert np.abs(change).max() < 0.01 * history["ALLCCE"].max()
+    assert history["ALLCCE"][-1] > 1.3 * history["ALLCCE"][~turning][-1]
