@@ -18,6 +18,7 @@ module litz_lens_growth
    use litz_line_kinematics, only: crossing_qualities, sine_at_angle
    use litz_line_law, only: line_wires_t, line_wires
    use litz_normal_law, only: normal_law_t
+   use litz_shares_at_ends, only: share_of_lens
    implicit none
    private
    public :: settle_growth, settled_turning, lacks_torque
@@ -60,16 +61,19 @@ contains
       longest = deepest*minval(point%radius)
       reach = half_length_of(point, longest)/minval(point%radius)
       ! short lenses that crossings carry have the energy of the ellipse
-      if (share_of_line((1 + small_turn)*reach) <= 0 .and. point%weight >= 1) return
-      now = lens_at(pair, point, point%kinematics%angle)
+      if (share_of_line((1 + small_turn)*reach) <= 0 .and. point%weight >= 1 .and. .not. (point%lens_share > 0 .and. &
+         point%lens_share < 1)) return
+      now = lens_at(pair, point, point%kinematics%angle, point%lens_share)
       sine = sin(point%kinematics%angle)
       if (.not. sine > 0) return
       change = small_turn*now%sine**2/sine
       do side = -1, 1
-         turned = lens_at(pair, point, point%kinematics%angle + side*change)
+         turned = lens_at(pair, point, point%kinematics%angle + side*change, point%lens_share)
          line = turned%line
          line%section = share_of_line(reach)*line%section
          call lens_energy(line, point%gap, turned%law_sine, 0.0_dp, kept, by_angle, unused)
+         if (side /= 0) turned = lens_at(pair, point, point%kinematics%angle + side*change, share_of_lens(law, point, &
+            point%kinematics%angle + side*change))
          grown(side) = grown_energy(turned%line, point%gap, turned%law_sine, reach*now%sine/turned%sine, longest) - kept
          if (side /= 0) cycle
          if (kept > 0) point%energy_ratio = 1 + grown(0)/kept
@@ -104,18 +108,16 @@ contains
    end function settled_turning
 
    !> The lens as the axes turn, with its law.
-   pure type(turned_lens_t) function lens_at(pair, point, angle) result(turned)
+   pure type(turned_lens_t) function lens_at(pair, point, angle, share) result(turned)
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      !> Of the axes [rad]
-      real(dp), intent(in) :: angle
+      !> Of the axes [rad], and how much the lens counts beside it [-]
+      real(dp), intent(in) :: angle, share
       real(dp) :: unused
 
       call sine_at_angle(crossing_qualities(point%kinematics), angle, turned%sine, turned%slope, unused)
-      associate (share => point%lens_share)
-         turned%law_sine = (1 - share)*sin(angle) + share*turned%sine
-         turned%law_slope = ((1 - share)*cos(angle) + share*turned%slope)/cosine(turned%law_sine)
-      end associate
+      turned%law_sine = (1 - share)*sin(angle) + share*turned%sine
+      turned%law_slope = ((1 - share)*cos(angle) + share*turned%slope)/cosine(turned%law_sine)
       turned%line = line_wires(pair, asin(min(1.0_dp, turned%law_sine)))
    end function lens_at
 

@@ -21,7 +21,7 @@ module litz_line_shares
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
-   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, half_pass, resolution, &
+   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
       least_sine
    use litz_wires, only: wires_t
    implicit none
@@ -75,7 +75,6 @@ contains
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
                   call share_crossing(law, wires, elements, contact, by_place, point)
-                  call settle_growth(law, wires_of(model, elements, point), point)
                end if
             end associate
             call blend_angle_of_lens(point)
@@ -135,11 +134,11 @@ contains
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
       point%lens_sine = lens_sine(point%kinematics)
       point%lens_quality = crossing_qualities(point%kinematics)
-      point%lens_share = 1
+      point%lens_share = share_of_lens(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
       own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), lap_at_crossing(wires, elements, point))
-      own%sine = point%lens_sine
+      own%sine = (1 - point%lens_share)*sin(point%kinematics%angle) + point%lens_share*point%lens_sine
       call share_on_legs(law, wires, elements, contact, by_place, own, point)
    end subroutine share_crossing
 

@@ -209,9 +209,9 @@ def force_of_tori(degrees, overlap, *, lower, upper):
 
 
 @pytest.mark.parametrize("bends", [(0.15, 0.12), (0.05, 0.05), (0.02, 0.02)])
-@pytest.mark.parametrize("degrees", [45, 20, 12, 7, 4])
+@pytest.mark.parametrize("degrees", [4, 3])
 def test_bent_wires_have_the_force_of_tori(run, degrees, bends):
-    """With the angle of straight wires it would be up to twice as large."""
+    """With the angle of straight wires it would be three times as large."""
     lower, upper = bends
     results = solved(run(bent(lower=lower, upper=upper, degrees=degrees, overlap=1e-6)))
     contacts = results.contacts_at(-1)
