@@ -172,7 +172,7 @@ def test_a_wire_on_a_pivot_turns_to_where_it_sinks_in_most(run):
 
 def bent(*, lower, upper, degrees, overlap, law=HERTZ, turned_by=0.0, increments=1):
     """Rigid wires that are bent away from each other with radii of curvature [m], crossing in the middle of an element."""
-    s = np.linspace(-0.0093, 0.0107, 41) / 2
+    s = np.linspace(-0.0093, 0.0107, 21)
     angle = math.radians(degrees)
     fall = [radius - np.sqrt(radius**2 - s**2) for radius in (lower, upper)]
     points = [
