@@ -331,8 +331,8 @@ contains
       point%stiffness = weight*point%cut_stiffness*point%stiffness
    end subroutine follow_cut
 
-   !> A crossing whose lens is long beside the radii: the integral of the law per length over it. At first touch the line
-   !> goes through the touch, as `linearise` has it.
+   !> A crossing whose lens is long beside the radii: the integral of the law per length over it. At first touch the
+   !> line goes through the touch, as `linearise` has it.
    pure subroutine press_lens(normal, pair, point)
       type(normal_law_t), intent(in) :: normal
       type(wire_pair_t), intent(in) :: pair

@@ -1,6 +1,7 @@
 """Very many contacts that close at one instant: a layered mat whose gaps are equal, pressed on by a tenth of them.
 
-Which contacts stay closed is a linear complementarity problem whose size no smaller increment reduces: the iteration has to solve it.
+Which contacts stay closed is a linear complementarity problem, which no smaller increment makes smaller: the iteration has to
+solve it.
 """
 
 import math

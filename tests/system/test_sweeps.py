@@ -281,7 +281,8 @@ def test_sigterm_ends_the_workers_and_what_they_run(method, tmp_path):
     with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True) as process:
         start = time.monotonic()
         while len(list(tmp_path.glob("sweep/*/deck.sta"))) < 2:
-            assert process.poll() is None and time.monotonic() - start < 60
+            assert process.poll() is None
+            assert time.monotonic() - start < 60
             time.sleep(0.1)
         children = children_of(process.pid)
         process.terminate()

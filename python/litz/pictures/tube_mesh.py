@@ -1,8 +1,10 @@
 """Triangles of tubes with round joints and round ends, and of flat marks that face the viewer."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 #: Two pieces that meet at a sharper angle have a round joint between them [rad]
 _KINK = np.radians(20.0)
@@ -57,7 +59,7 @@ def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int
     angle = np.concatenate([np.r_[-_CAP[::-1], np.zeros(b - a), _CAP] for a, b in zip(begin, stop, strict=True)])
     phase = 2 * np.pi * np.arange(sides) / sides
     # side by side, without copies: these are the large arrays of pictures of many wires
-    normals = np.empty((len(rows), sides, 3), dtype=kind)
+    normals: NDArray[Any] = np.empty((len(rows), sides, 3), dtype=kind)
     corners = np.empty_like(normals)
     shrunk, beyond = np.cos(angle)[:, None], np.sin(angle)[:, None] * along[rows]
     size, centres = radius[source[rows]][:, None], points[source[rows]]

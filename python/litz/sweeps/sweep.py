@@ -57,8 +57,8 @@ def sweep(
     """Run a model for many values of its parameters, several at a time.
 
     Existing runs in the directory are not repeated if their decks are unchanged. An interrupted sweep (Ctrl-C, SIGTERM) ends the
-    programs that run for it, says how many runs have finished, and continues with the others when it is called again. Failed runs are reported by a
-    warning and remain in the table.
+    programs that run for it, says how many runs have finished, and continues with the others when it is called again. Failed
+    runs are reported by a warning and remain in the table.
 
     Parameters
     ----------

@@ -75,6 +75,8 @@ class SweepTable(Table):
                 columns[name] = np.array([one.mean() if len(one) else np.nan for one in values])
                 columns[f"{name} std"] = np.array([one.std(ddof=1) if len(one) > 1 else np.nan for one in values])
             if f"{name} std" in self:
-                raise ValueError(f"the table has a column {name} std: there is no name for the standard deviation of {name}")
+                raise ValueError(
+                    f"the table has a column {name} std: there is no name for the standard deviation of {name}"
+                )
             units |= dict.fromkeys((name, f"{name} std"), self.units.get(name, ""))
         return Table(columns, units)
