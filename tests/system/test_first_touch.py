@@ -43,7 +43,7 @@ def run(model, folder):
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_contacts_that_close_at_one_instant_settle_in_one_increment(tmp_path, friction):
-    """In no more iterations with friction than without: both take about twenty. Each force is in balance (audit of the run)."""
+    """In about twenty iterations, with friction as without. Each force is in balance (audit of the run)."""
     results = run(mat(friction), tmp_path)
     (iterations,) = results.status["iterations"]
     assert iterations <= 24
