@@ -197,10 +197,10 @@ contains
          associate (point => points(i))
             if (point%closed) status%active = status%active + 1
             ! which points of a line are closed follows from their gaps alone
-            if (point%line_place == 0 .and. point%weight > 0 .and. point%predicted .and. &
-               (point%closed .neqv. point%predicted_gap < -point%dent_depth)) then
-               if (point%closed) status%new = status%new + 1
-               if (.not. point%closed) status%lost = status%lost + 1
+            if (point%line_place == 0 .and. point%weight > 0 .and. point%predicted) then
+               ! one that is let go because it would pull, with its overlap, is as predicted
+               if (point%closed .and. point%predicted_gap > -point%dent_depth) status%new = status%new + 1
+               if (.not. point%closed .and. point%predicted_gap < -point%dent_depth) status%lost = status%lost + 1
             end if
             status%penetration = max(status%penetration, -point%gap)
          end associate

@@ -30,7 +30,7 @@ module litz_normal_forces
    public :: apply_normal_law, wires_of, line_of_point, is_lens, law_of_spot, share_of_ellipse, weight_of_lens
    public :: settle_ends, first_overlap
 
-   !> At first touch the Hertz law is linearised about the force of an overlap of at most this fraction of the radius
+   !> At first touch the line of the Hertz law goes to the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
    !> Change of the angle of a lens over its sine, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
@@ -354,7 +354,8 @@ contains
       point%stiffness = weight*point%cut_stiffness*point%stiffness
    end subroutine follow_cut
 
-   !> A crossing whose lens is long beside the radii: the integral of the law per length over it.
+   !> A crossing whose lens is long beside the radii: the integral of the law per length over it. At first touch the
+   !> line goes through the touch, as `linearise` has it.
    pure subroutine press_lens(normal, pair, point)
       type(normal_law_t), intent(in) :: normal
       type(wire_pair_t), intent(in) :: pair
@@ -377,8 +378,9 @@ contains
          overlap = merge(min(-point%gap, first), first, point%gap < 0)
          lens = lens_force(point%line, -overlap, point%law_sine, penalty)
       end if
-      point%mixed_force = lens%force
       point%stiffness = -lens%dforce_dgap
+      if (.not. point%mixed_force > 0) point%stiffness = lens%force/overlap
+      point%mixed_force = lens%force
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
       point%at_mixed = scaled(law_of_lens(point%line, lens, -overlap, point%law_sine, penalty), weight)
       call follow_cut(weight, point)
@@ -417,8 +419,9 @@ contains
          overlap = min(overlap, -point%gap)
       end if
       state = state_of_lens(lens, overlap)
-      point%mixed_force = state%law%force
       point%stiffness = -state%law%dforce_dgap
+      if (.not. point%mixed_force > 0) point%stiffness = state%law%force/(overlap - point%dent_depth)
+      point%mixed_force = state%law%force
       point%iteration_force = point%mixed_force + point%stiffness*(-point%gap - overlap)
       if (state%has_yielded) call turn_lens(normal, pair, point, overlap, state%law)
       point%at_mixed = scaled(state%law, weight)

@@ -127,7 +127,9 @@ contains
    !> The straight line that an iteration follows: `F = iteration_force - stiffness dg` (theory section 9).
    !>
    !> `delta(F)` is close to a straight line where `F(delta)` is steep, so that a law which is not straight is
-   !> linearised about the force that the last iteration predicted.
+   !> linearised about the force that the last iteration predicted. Of a contact that has had no force yet none is
+   !> known, and the line goes from there through the touch: the tangent of a law that grows faster than the overlap
+   !> would have the contact pull from a third of its overlap on (Hertz), and open though it presses.
    pure subroutine linearise(law, gap, first_overlap, wires, ellipse, mixed_force, stiffness, iteration_force, &
       at_mixed, dent, dent_depth)
       type(normal_law_t), intent(in) :: law
@@ -148,6 +150,7 @@ contains
       type(overlap_of_force_t) :: found
       type(force_of_gap_t) :: at_first
       real(dp) :: first
+      logical :: is_first
 
       if (law%is_straight) then
          found = overlap_at_force(law, 0.0_dp, wires, ellipse)
@@ -155,13 +158,15 @@ contains
          iteration_force = -stiffness*gap
          return
       end if
-      if (mixed_force <= 0) then
+      is_first = mixed_force <= 0
+      if (is_first) then
          first = -dent_depth - first_overlap
          at_first = force_at_gap(law, merge(max(gap, first), first, gap < -dent_depth), wires, ellipse, dent)
          mixed_force = at_first%force
       end if
       found = overlap_at_force(law, mixed_force, wires, ellipse, dent)
       stiffness = found%stiffness
+      if (is_first) stiffness = mixed_force/(found%overlap - dent_depth)
       iteration_force = mixed_force + stiffness*(-gap - found%overlap)
       at_mixed = force_at_gap(law, -found%overlap, wires, ellipse, dent)
    end subroutine linearise

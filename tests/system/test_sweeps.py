@@ -2,10 +2,15 @@
 
 import io
 import json
+import os
 import re
+import signal
+import subprocess
+import sys
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +21,8 @@ from litz.base import notebook
 from litz.runs import progress as progress_module
 from litz.runs.progress import Progress, total_time
 
+#: Where decks and conftest are
+TESTS = Path(__file__).parents[1]
 REQUEST = "*NODE PRINT, NSET=UPPER_ENDS, TOTALS=ONLY\n RF"
 
 
@@ -239,6 +246,70 @@ def test_cancelling_ends_what_runs_and_keeps_what_is_finished(tmp_path, capsys):
     size = (slow / "deck.sta").stat().st_size
     time.sleep(0.5)
     assert (slow / "deck.sta").stat().st_size == size
+
+
+TERMINATED = """
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+import litz
+from test_sweeps import slow_if_deep
+
+if __name__ == "__main__":
+    with ProcessPoolExecutor(2, get_context(sys.argv[1])) as executor:
+        litz.sweep(slow_if_deep, {"push": [2e-6, 4e-6]}, directory=sys.argv[2], executor=executor, progress=False)
+"""
+
+
+def children_of(pid):
+    """Processes that a process has started, and those that these have, and so on."""
+    found = []
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        for child in (task / "children").read_text().split():
+            found += [int(child), *children_of(int(child))]
+    return found
+
+
+@pytest.mark.parametrize("method", ["fork", "spawn"])
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="/proc lists the processes of a process")
+def test_sigterm_ends_the_workers_and_what_they_run(method, tmp_path):
+    script = tmp_path / "terminated.py"
+    script.write_text(TERMINATED)
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), str(TESTS)])}
+    command = [sys.executable, script, method, tmp_path / "sweep"]
+    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True) as process:
+        start = time.monotonic()
+        while len(list(tmp_path.glob("sweep/*/deck.sta"))) < 2:
+            assert process.poll() is None
+            assert time.monotonic() - start < 60
+            time.sleep(0.1)
+        children = children_of(process.pid)
+        process.terminate()
+        assert process.wait(30) == 128 + signal.SIGTERM
+    # two workers, each with a program
+    assert len(children) >= 4
+    start = time.monotonic()
+    while any(Path(f"/proc/{child}").exists() for child in children):
+        assert time.monotonic() - start < 20
+        time.sleep(0.1)
+    assert not list(tmp_path.glob("sweep/running-*"))
+
+
+def test_a_column_called_runs_stays():
+    def count(runs, seed):
+        return {"n": 1.0 * runs}
+
+    table = litz.sweep(count, {"runs": [5, 7], "seed": [0, 1]}, directory=None, progress=False)
+    means = table.over("seed")
+    assert list(means) == ["runs", "finished runs", "n", "n std"]
+    assert means["runs"].tolist() == [5, 7]
+    assert means["finished runs"].tolist() == [2, 2]
+    table = litz.sweep(lambda seed: {"runs": 2.0 + seed}, {"seed": [0, 1]}, directory=None, progress=False)
+    assert table.over("seed")["runs"].tolist() == [2.5]
+    clash = litz.sweep(lambda seed: {"a": 1.0, "a std": 2.0}, {"seed": [0, 1]}, directory=None, progress=False)
+    with pytest.raises(ValueError, match="the table has a column a std"):
+        clash.over("seed")
 
 
 def test_means_over_seeds():

@@ -27,7 +27,7 @@ program test_contact_laws
    call expect(info == hertz_ok, 'there is an ellipse')
    call test_a_penalty_is_its_own_straight_line()
    call test_a_curved_law_is_linearised_about_the_predicted_force()
-   call test_a_first_touch_is_linearised_about_a_small_overlap()
+   call test_the_line_of_a_first_touch_goes_through_the_touch()
    call test_the_penalty_that_holds()
    call test_a_kept_spot_has_the_largest_force()
    call test_the_torque_of_wires_that_yield_is_that_of_their_energy()
@@ -79,7 +79,8 @@ contains
       call expect(near(at_mixed%denergy_dangle, touch%denergy_dangle), 'torque of the predicted force')
    end subroutine test_a_curved_law_is_linearised_about_the_predicted_force
 
-   subroutine test_a_first_touch_is_linearised_about_a_small_overlap()
+   !> Hertz: F ~ overlap^1.5, whose tangent would pull from a third of the overlap on.
+   subroutine test_the_line_of_a_first_touch_goes_through_the_touch()
       type(normal_law_t) :: law
       type(force_of_gap_t) :: expected, at_mixed
       real(dp), parameter :: gaps(3) = [-3.0e-6_dp, 2.0e-6_dp, -0.2e-6_dp]
@@ -94,9 +95,10 @@ contains
             at_mixed, earlier_dent_t(), 0.0_dp)
          expected = force_at_gap(law, taken(i), pair, ellipse)
          call expect(near(mixed_force, expected%force), 'force of the first overlap, or of a smaller one')
-         call expect(near(stiffness, -expected%dforce_dgap), 'its slope')
+         call expect(near(stiffness, -expected%dforce_dgap/1.5_dp), 'the secant, two thirds of the slope')
+         call expect(near(force, -stiffness*gaps(i)), 'no force where the wires touch')
       end do
-   end subroutine test_a_first_touch_is_linearised_about_a_small_overlap
+   end subroutine test_the_line_of_a_first_touch_goes_through_the_touch
 
    subroutine test_the_penalty_that_holds()
       call expect(near(penalty_that_holds(normal_law('LINEAR', [penalty]), 8.0_dp, 2.0e-6_dp), 4.0e6_dp), 'F/overlap')

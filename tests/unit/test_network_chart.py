@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from litz.pictures import network_chart
 from litz.pictures.chart_tools import wire_names
-from litz.pictures.network_chart import between_wires, layout, turned
+from litz.pictures.network_chart import _repulsion, between_wires, layout, turned
 
 
 def test_currents_of_the_contacts_of_two_wires_add_up_with_their_direction():
@@ -84,3 +84,13 @@ def test_contacts_whose_force_is_round_off_are_not_in_the_network(results):
     np.testing.assert_array_equal(pressed.id, graph.id[1:])
     assert len(pressed.wires) == len(pressed.current) == len(graph.id) - 1
     assert network_chart.pressed_contacts(graph) is graph
+
+
+def test_dots_push_each_other_apart_by_the_inverse_distance():
+    """More dots than are taken at once, against the sum over all pairs; dots nearer than 1e-3 push as if they were that far."""
+    places = np.random.default_rng(1).uniform(-1, 1, (620, 2))
+    places[-1] = places[0] + 1e-5
+    apart = places[:, None] - places
+    expected = np.sum(apart / np.maximum(np.sum(apart**2, axis=2), 1e-6)[:, :, None], axis=1)
+    # the place times the sum of weights up to 1e6 cancels
+    np.testing.assert_allclose(_repulsion(places), expected, rtol=1e-9, atol=1e-8)

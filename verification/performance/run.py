@@ -26,7 +26,17 @@ from .page import write_page
 from .process import machine
 
 #: Their order on the page
-BENCHMARKS = ("networks", "pile", "strand", "search", "batches", "iteration_profile", "factorisation", "coupling")
+BENCHMARKS = (
+    "networks",
+    "pile",
+    "mats",
+    "strand",
+    "search",
+    "batches",
+    "iteration_profile",
+    "factorisation",
+    "coupling",
+)
 
 
 def run_benchmark(name, quick, directory):

@@ -13,7 +13,7 @@ import numpy as np
 # gives windows and mappers what draws them
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
@@ -27,6 +27,7 @@ def main(folder: str) -> None:
     """Read the jobs, draw, write the pictures."""
     for job in sorted(Path(folder).glob("job_*.npz")):
         picture, n_grey = draw(np.load(job))
+        _SHARED.clear()
         np.savez(job.with_name(job.name.replace("job", "drawn")), picture=picture, n_grey=n_grey)
 
 
@@ -70,22 +71,32 @@ def draw(job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
     return (sums // samples**2).astype(np.uint8), n_grey
 
 
+#: Arrays whose memory VTK uses
+_SHARED: list[np.ndarray] = []
+
+
+def shared(values: np.ndarray, kind: type) -> vtkDataArray:
+    """An array of VTK in the memory of `values`, which stays as long as the picture is drawn."""
+    _SHARED.append(np.ascontiguousarray(values, dtype=kind))
+    return numpy_to_vtk(_SHARED[-1])
+
+
 def mesh(
     points: np.ndarray, cells: np.ndarray, colours: np.ndarray | None = None, normals: np.ndarray | None = None
 ) -> vtkPolyData:
     """Lines (n, 2), triangles (n, 3) or quadrilaterals (n, 4) between points (m, 3), with colours and normals (m, 3) of them."""
     data, places, array = vtkPolyData(), vtkPoints(), vtkCellArray()
-    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=np.float32), deep=True))
-    array.SetData(cells.shape[1], numpy_to_vtk(cells.ravel().astype(np.int32), deep=True))
+    places.SetData(shared(points, np.float32))
+    array.SetData(cells.shape[1], shared(cells.ravel(), np.int32))
     data.SetPoints(places)
     if cells.shape[1] == 2:
         data.SetLines(array)
     else:
         data.SetPolys(array)
     if colours is not None:
-        data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(colours, dtype=np.uint8), deep=True))
+        data.GetPointData().SetScalars(shared(colours, np.uint8))
     if normals is not None:
-        data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(normals, dtype=np.float32), deep=True))
+        data.GetPointData().SetNormals(shared(normals, np.float32))
     return data
 
 

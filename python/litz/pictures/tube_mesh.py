@@ -1,8 +1,10 @@
 """Triangles of tubes with round joints and round ends, and of flat marks that face the viewer."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 #: Two pieces that meet at a sharper angle have a round joint between them [rad]
 _KINK = np.radians(20.0)
@@ -32,7 +34,7 @@ class Mesh:
     triangles: np.ndarray
 
 
-def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int) -> Mesh:
+def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int, kind: type = float) -> Mesh:
     """Round tubes along lines.
 
     Parameters
@@ -45,6 +47,8 @@ def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int
         At the points, (n) [m].
     sides : int
         Corners of a ring around a point.
+    kind : type
+        Of the numbers of corners and normals; large pictures take half the memory with `numpy.float32`.
     """
     source, first = _smooth_lines(points, starts)
     along = _tangents(points[source], first)
@@ -54,10 +58,15 @@ def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int
     rows = np.concatenate([np.r_[[a] * n_cap, a:b, [b - 1] * n_cap] for a, b in zip(begin, stop, strict=True)])
     angle = np.concatenate([np.r_[-_CAP[::-1], np.zeros(b - a), _CAP] for a, b in zip(begin, stop, strict=True)])
     phase = 2 * np.pi * np.arange(sides) / sides
-    radial = np.cos(phase)[:, None] * across[rows, None] + np.sin(phase)[:, None] * third[rows, None]
-    normals = np.cos(angle)[:, None, None] * radial + (np.sin(angle)[:, None] * along[rows])[:, None]
-    size = radius[source[rows]][:, None, None]
-    corners = points[source[rows]][:, None] + size * normals
+    # side by side, without copies: these are the large arrays of pictures of many wires
+    normals: NDArray[Any] = np.empty((len(rows), sides, 3), dtype=kind)
+    corners = np.empty_like(normals)
+    shrunk, beyond = np.cos(angle)[:, None], np.sin(angle)[:, None] * along[rows]
+    size, centres = radius[source[rows]][:, None], points[source[rows]]
+    for side, turn in enumerate(phase):
+        outward = shrunk * (np.cos(turn) * across[rows] + np.sin(turn) * third[rows]) + beyond
+        normals[:, side] = outward
+        corners[:, side] = centres + size * outward
     ring_ends = np.cumsum(stop - begin + 2 * n_cap) - 1
     inner = np.ones(len(rows), dtype=bool)
     inner[ring_ends] = False
@@ -67,10 +76,10 @@ def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int
 
 def _between_rings(rings: np.ndarray, sides: int) -> np.ndarray:
     """Two triangles at each side between each of some rings and the one behind it."""
-    here = np.arange(sides)
+    here = np.arange(sides, dtype=np.int32)
     beside = (here + 1) % sides
     pair = np.stack([here, beside, beside + sides, here, beside + sides, here + sides], axis=1).reshape(-1, 3)
-    return (sides * rings[:, None, None] + pair).reshape(-1, 3)
+    return (sides * rings.astype(np.int32)[:, None, None] + pair).reshape(-1, 3)
 
 
 def _smooth_lines(points: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -126,6 +135,8 @@ def _untwisted(along: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def discs(centres: np.ndarray, first: np.ndarray, second: np.ndarray, sides: int) -> tuple[np.ndarray, np.ndarray]:
     """Ellipses with the given half axes, each (n, 3): corners (n, sides, 3) and triangles (m, 3)."""
     phase = 2 * np.pi * np.arange(sides) / sides
-    corners = centres[:, None] + np.cos(phase)[:, None] * first[:, None] + np.sin(phase)[:, None] * second[:, None]
-    fan = np.stack([np.zeros(sides - 2, dtype=int), np.arange(1, sides - 1), np.arange(2, sides)], axis=1)
-    return corners, (sides * np.arange(len(centres))[:, None, None] + fan).reshape(-1, 3)
+    corners = np.empty((len(centres), sides, 3), dtype=np.float32)
+    for side, turn in enumerate(phase):
+        corners[:, side] = centres + np.cos(turn) * first + np.sin(turn) * second
+    fan = np.stack([np.zeros(sides - 2), np.arange(1, sides - 1), np.arange(2, sides)], axis=1).astype(np.int32)
+    return corners, (sides * np.arange(len(centres), dtype=np.int32)[:, None, None] + fan).reshape(-1, 3)

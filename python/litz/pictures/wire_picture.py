@@ -121,6 +121,7 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[Dra
                 "half_height": camera.half_height, "distance": distance, **_meshes(scene, camera, pixels[0]),
             }  # fmt: skip
             np.savez(Path(folder, f"job_{number}.npz"), **job)
+            del job
         _run_vtk(folder, len(scenes))
         files = [np.load(Path(folder, f"drawn_{number}.npz")) for number in range(len(scenes))]
         return [Drawn(file["picture"], bool(file["n_grey"] > _LEAST_GREY * pixels[0])) for file in files]
@@ -132,14 +133,13 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
     in_pixels = radius.max() * width / (2 * camera.half_width)
     # the polygon of a ring departs from the circle by less than a fifth of a pixel
     sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
-    tube = tubes(scene.points, scene.starts, radius, sides)
+    tube = tubes(scene.points, scene.starts, radius, sides, np.float32)
     colours = mpl.colormaps[scene.colours](mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
     points, triangles, mark_colours = marks(scene, camera, width)
     reference, starts = scene.reference, scene.reference_starts
     pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
     return {
-        "points": tube.points.astype(np.float32), "normals": tube.normals.astype(np.float32),
-        "triangles": tube.triangles.astype(np.int32), "colours": colours[tube.source],
+        "points": tube.points, "normals": tube.normals, "triangles": tube.triangles, "colours": colours[tube.source],
         "mark_points": points, "mark_triangles": triangles, "mark_colours": mark_colours,
         "reference": reference,
         "reference_pieces": np.zeros((0, 2)) if pieces is None else np.delete(pieces, starts[1:-1] - 1, axis=0),
@@ -174,7 +174,7 @@ def _flat(centres: np.ndarray, first: np.ndarray, second: np.ndarray, colours: n
 
 
 def _joined(parts: list[_Marks]) -> _Marks:
-    offset = np.cumsum([0, *(len(corners) for corners, _, _ in parts[:-1])])
+    offset = np.cumsum([0, *(len(corners) for corners, _, _ in parts[:-1])], dtype=np.int32)
     corners, triangles, colours = zip(*parts, strict=True)
     rows = [first + one for first, one in zip(offset, triangles, strict=True)]
     return np.concatenate(corners), np.concatenate(rows), np.concatenate(colours)

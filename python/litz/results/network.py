@@ -283,11 +283,18 @@ def _largest_in_elements(results: ResultFile, increment: int) -> np.ndarray:
     xi = np.concatenate([ledger["xi_1"], ledger["xi_2"]])
     entering = np.concatenate([-ledger["current"], ledger["current"]])
     order = np.lexsort((xi, row))
-    for ends in np.split(order, np.flatnonzero(np.diff(row[order])) + 1) if order.size else ():
-        element = row[ends[0]]
-        first = largest[element] - (entering[ends] * (1 - xi[ends])).sum() / 2
-        between = first + np.concatenate([[0.0], np.cumsum(entering[ends])])
-        largest[element] = between[np.argmax(np.abs(between))]
+    if not order.size:
+        return largest
+    row, entering, xi = row[order], entering[order], xi[order]
+    begin = np.flatnonzero(np.diff(row, prepend=row[0] - 1))
+    count = np.diff(begin, append=len(row))
+    # the current before the first contact of each element, and behind each of its contacts
+    first = largest[row[begin]] - np.add.reduceat(entering * (1 - xi), begin) / 2
+    passed = np.cumsum(entering)
+    between = np.repeat(first - passed[begin] + entering[begin], count) + passed
+    size = np.maximum.reduceat(np.abs(between), begin)
+    place = np.where(np.abs(between) == np.repeat(size, count), np.arange(len(row)), len(row))
+    largest[row[begin]] = np.where(size > np.abs(first), between[np.minimum.reduceat(place, begin)], first)
     return largest
 
 

@@ -6,15 +6,18 @@ import json
 import math
 import os
 import re
+import signal
 import sys
 import threading
 import time
 import uuid
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor, as_completed, wait
+from contextlib import contextmanager
 from pathlib import Path
 from pickle import PicklingError
+from types import FrameType
 from typing import Any, Literal
 
 import numpy as np
@@ -53,9 +56,9 @@ def sweep(
 ) -> SweepTable:
     """Run a model for many values of its parameters, several at a time.
 
-    Existing runs in the directory are not repeated if their decks are unchanged. An interrupted sweep ends the programs that run
-    for it, says how many runs have finished, and continues with the others when it is called again. Failed runs are reported by a
-    warning and remain in the table.
+    Existing runs in the directory are not repeated if their decks are unchanged. An interrupted sweep (Ctrl-C, SIGTERM) ends the
+    programs that run for it, says how many runs have finished, and continues with the others when it is called again. Failed
+    runs are reported by a warning and remain in the table.
 
     Parameters
     ----------
@@ -118,7 +121,8 @@ def sweep(
     count = _Count(len(runs)) if progress else None
     pool = executor or ThreadPoolExecutor(processes or os.cpu_count() or 1)
     try:
-        runs = _run_all(runs, pool, running, count)
+        with _ended_by_sigterm():
+            runs = _run_all(runs, pool, running, count)
     finally:
         if executor is None:
             pool.shutdown(cancel_futures=True)
@@ -126,6 +130,32 @@ def sweep(
             count.close()
     _warn_of_failures(runs)
     return _table(runs)
+
+
+@contextmanager
+def _ended_by_sigterm() -> Iterator[None]:
+    """SIGTERM ends this process as `sys.exit` does, so that what runs for it ends, too: workers of a pool would stay for ever.
+
+    Only where nobody else handles it, and in the main thread, which alone can.
+    """
+    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGTERM) != signal.SIG_DFL:
+        yield
+        return
+    parent = os.getpid()
+
+    def end(number: int, frame: FrameType | None) -> None:
+        # a worker that was forked meanwhile has this handler, too
+        if os.getpid() != parent:
+            signal.signal(number, signal.SIG_DFL)
+            os.kill(os.getpid(), number)
+            return
+        sys.exit(128 + number)
+
+    signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _run_all(runs: list["_Run"], pool: Executor, running: Path | None, count: "_Count | None") -> list["_Run"]:

@@ -42,8 +42,9 @@ class SweepTable(Table):
         Returns
         -------
         Table
-            A row for each combination of the other parameters: these, `runs` (the number of finished ones), and of each value
-            its mean, under its own name, and its standard deviation, as `NAME std`; nan of less than two runs.
+            A row for each combination of the other parameters: these, `runs` (the number of finished ones; `finished runs` where
+            the sweep has a column `runs`), and of each value its mean, under its own name, and its standard deviation, as
+            `NAME std`; nan of less than two runs.
 
         Examples
         --------
@@ -66,12 +67,16 @@ class SweepTable(Table):
         finished = self[STATUS] == "finished"
         first = [keys.index(key) for key in groups]
         columns = {name: self[name][first] for name in kept}
-        columns["runs"] = np.bincount(of_row[finished], minlength=len(groups))
+        columns["finished runs" if "runs" in self else "runs"] = np.bincount(of_row[finished], minlength=len(groups))
         units = {name: self.units.get(name, "") for name in columns}
         for name in (name for name in self if name not in (*self.parameters, *OWN_COLUMNS)):
             values = [self[name][finished & (of_row == row)] for row in range(len(groups))]
             with np.errstate(invalid="ignore"):
                 columns[name] = np.array([one.mean() if len(one) else np.nan for one in values])
                 columns[f"{name} std"] = np.array([one.std(ddof=1) if len(one) > 1 else np.nan for one in values])
+            if f"{name} std" in self:
+                raise ValueError(
+                    f"the table has a column {name} std: there is no name for the standard deviation of {name}"
+                )
             units |= dict.fromkeys((name, f"{name} std"), self.units.get(name, ""))
         return Table(columns, units)

@@ -21,7 +21,8 @@ from .page import page, viewer, viewer_style
 
 _STYLE = "html, body { height: 100%; margin: 0; }\n"
 _ADDRESS = "127.0.0.1"
-_KEPT_INCREMENTS = 32
+# Increments that are kept, and elements and nodes of all of these
+_KEPT_INCREMENTS, _KEPT_CELLS = 32, 1_000_000
 #: Servers of the viewers in a notebook, by their result files
 _IN_NOTEBOOK: dict[Path, "ViewServer"] = {}
 
@@ -47,7 +48,8 @@ class ViewServer(ThreadingHTTPServer):
     def __init__(self, results: Results | str | Path, port: int = 0):
         self.results = with_increments(results)
         self._data = WebData(self.results)
-        self.increment = lru_cache(_KEPT_INCREMENTS)(self._increment)
+        cells = len(self.results.elements) + len(self.results.nodes)
+        self.increment = lru_cache(max(1, min(_KEPT_INCREMENTS, _KEPT_CELLS // cells)))(self._increment)
         try:
             super().__init__((_ADDRESS, port), _Handler)
         except OSError as error:

@@ -1,13 +1,17 @@
 /** Reads results: embedded in the page, or fetched from the server that serves the page. */
 
+// Elements and nodes of all increments that are kept
+const MAX_KEPT = 2e6;
+
 /** The model, and a function that returns the data of an increment by its index. */
 export async function openResults() {
    const read = document.getElementById("litz-model") ? readEmbedded : fetchFromServer;
    const model = await read("model");
    const cache = new Map();
+   const most = Math.min(64, Math.max(2, Math.floor(MAX_KEPT / (model.n_elements + model.n_nodes))));
    const increment = (index) => {
       if (!cache.has(index)) {
-         if (cache.size >= 64) cache.delete(cache.keys().next().value);
+         if (cache.size >= most) cache.delete(cache.keys().next().value);
          cache.set(index, read(`increment-${index}`));
       }
       return cache.get(index);
@@ -29,7 +33,10 @@ async function fetchFromServer(name) {
 
 /** Decode base64 text into bytes. */
 export function bytes(text) {
-   return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+   const letters = atob(text);
+   const values = new Uint8Array(letters.length);
+   for (let k = 0; k < letters.length; k++) values[k] = letters.charCodeAt(k);
+   return values;
 }
 
 /** Decode base64 text into 32-bit floats. */

@@ -78,6 +78,14 @@ export class Stage {
       return [((1 + projected.x) / 2) * this.element.clientWidth, ((1 - projected.y) / 2) * this.element.clientHeight];
    }
 
+   /** What gives the screen position of a point (a, b, c), in pixels from the left and from above: [p, q, r, s] for p a + q b + r c + s. */
+   projection() {
+      const at = (a, b, c) => this.project(new Vector3(a, b, c));
+      const origin = at(0, 0, 0), unit = this.radius;
+      const ends = [at(unit, 0, 0), at(0, unit, 0), at(0, 0, unit)];
+      return [0, 1].map((side) => [...ends.map((end) => (end[side] - origin[side]) / unit), origin[side]]);
+   }
+
    /** Components of a direction to the right and upwards on the screen. */
    direction(vector) {
       const rotated = vector.clone().applyQuaternion(this.camera.quaternion.clone().invert());

@@ -65,7 +65,7 @@ export class Tubes {
       const n = radii.length;
       this.curves = new Float32Array(rest);
       const geometry = new InstancedBufferGeometry();
-      const [sides, segments] = n > 20000 ? [8, 3] : n > 3000 ? [12, 6] : [24, 16];
+      const [sides, segments] = n > 100000 ? [6, 1] : n > 20000 ? [8, 3] : n > 3000 ? [12, 6] : [24, 16];
       addTube(geometry, sides, segments);
       this.shape = ["p0", "p1", "m0", "m1"].map((name) => {
          const attribute = new InstancedBufferAttribute(new Float32Array(3 * n), 3);
@@ -158,18 +158,19 @@ function onSphere(end, angle) {
 
 /** The undeformed axes as thin lines. */
 export function referenceLines(rest) {
-   const parts = 8;
-   const points = [];
-   for (let start = 0; start < rest.length; start += 12)
-      for (let k = 0; k < parts; k++)
-         for (const xi of [-1 + (2 * k) / parts, -1 + (2 * (k + 1)) / parts]) points.push(...hermite(rest, start, xi));
+   const n = rest.length / 12, parts = n > 20000 ? 1 : 8;
+   const points = new Float32Array(6 * parts * n);
+   for (let start = 0, place = 0; start < rest.length; start += 12)
+      for (let k = 0; k < 2 * parts; k++, place += 3) hermite(rest, start, -1 + (2 * ((k + 1) >> 1)) / parts, points, place);
    const geometry = new BufferGeometry();
-   geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+   geometry.setAttribute("position", new BufferAttribute(points, 3));
    return new LineSegments(geometry, new LineBasicMaterial({ color: "#9a9a9a" }));
 }
 
-function hermite(curves, start, xi) {
-   const weights = [2 - 3 * xi + xi ** 3, 2 + 3 * xi - xi ** 3, 1 - xi - xi ** 2 + xi ** 3, -1 - xi + xi ** 2 + xi ** 3];
-   return [0, 1, 2].map((axis) =>
-      weights.reduce((sum, weight, part) => sum + (weight / 4) * curves[start + 3 * part + axis], 0));
+/** A point of the curve that begins at a place of the curves, into the points at a place. */
+function hermite(curves, start, xi, points, place) {
+   const xi2 = xi * xi, xi3 = xi2 * xi;
+   const a = (2 - 3 * xi + xi3) / 4, b = (2 + 3 * xi - xi3) / 4, c = (1 - xi - xi2 + xi3) / 4, d = (-1 - xi + xi2 + xi3) / 4;
+   for (let axis = 0; axis < 3; axis++) points[place + axis] = a * curves[start + axis] + b * curves[start + 3 + axis]
+      + c * curves[start + 6 + axis] + d * curves[start + 9 + axis];
 }

@@ -1,6 +1,5 @@
 /** Assembles the viewer: results, stage, wires, spots, zones, ledger and controls. */
 
-import { Vector3 } from "three";
 import { bytes, endValues, engineering, floats, integers, openResults } from "litz/data.js";
 import { drawColourBar, drawCompass } from "litz/frame.js";
 import { Ledger } from "litz/ledger.js";
@@ -112,14 +111,9 @@ class Viewer {
       const { data, model } = this;
       const by = this.find("spot-size").value;
       const n = by === "none" ? 0 : data.contacts.id.length;
-      const [rest, now, normals, tangents] = ["rest", "now", "normals", "tangents"].map((name) => floats(data.spots[name]));
-      const at = (values, k) => new Vector3(...values.subarray(3 * k, 3 * k + 3));
-      const places = Array.from({ length: n }, (_, k) => at(rest, k).lerp(at(now, k), factor));
-      const directions = Array.from({ length: n }, (_, k) => at(normals, k));
+      const places = Object.fromEntries(Object.entries(data.spots).map(([name, text]) => [name, floats(text)]));
       this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
-      const sizes = n ? data.contacts[by] : [];
-      this.spots.set(places, directions, sizes, model.largest[by], floats(data.spots.radii),
-         Array.from({ length: 2 * n }, (_, k) => at(tangents, k)));
+      this.spots.set(places, factor, n ? data.contacts[by] : [], model.largest[by]);
       this.find("spot-note").textContent = this.spotNote(by, n);
    }
 
@@ -151,16 +145,7 @@ class Viewer {
    /** Select the contact at a position of the picture, if there is one. */
    pick(x, y) {
       const { stage, spots } = this;
-      const factor = spots.enlargement(stage.pixelsPerMetre) * stage.pixelsPerMetre;
-      let found = null, nearest = Infinity;
-      spots.centres.forEach((centre, k) => {
-         const [left, top] = stage.project(centre);
-         const distance = Math.hypot(left - x, top - y);
-         if (distance < Math.max(8, factor * spots.sizes[k]) && distance < nearest) {
-            nearest = distance;
-            found = this.data.contacts.id[k];
-         }
-      });
+      let found = this.data.contacts.id[spots.nearest(stage, x, y, 8)] ?? null;
       if (found === null) found = this.data.zones.id[this.zones.nearest(stage, x, y, 12)] ?? null;
       this.select(found);
    }
@@ -168,14 +153,14 @@ class Viewer {
    /** Select a contact by its number; null: none. */
    select(id) {
       this.ledger.select(id);
-      this.spots.select(this.data.contacts.id.indexOf(id));
+      this.spots.selected = this.data.contacts.id.indexOf(id);
       this.zones.select(this.data.zones.id.indexOf(id));
       this.stage.draw();
    }
 
    /** Screen position of a contact of this increment, in pixels from the upper left corner of the picture. */
    screenPosition(id) {
-      return this.stage.project(this.spots.centres[this.data.contacts.id.indexOf(id)]);
+      return this.stage.project(this.spots.centre(this.data.contacts.id.indexOf(id)));
    }
 
    look(name) {
