@@ -25,6 +25,8 @@ Commands of the Python package:
   litz convert MESH DECK --radius R       a deck from one of Abaqus or CalculiX, or from a mesh of gmsh, BeamMe or meshio
   litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
   litz export feap|abaqus DECK            the model for a program with litz's contact element as a user element
+  litz network RESULTS [--csv FILE] [--graphml FILE]
+                                          resistances between wires; the circuit of wires and contacts as files
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
@@ -39,6 +41,7 @@ COMMANDS = {
     "new": ("decks", "new_command"),
     "convert": ("decks", "convert_command"),
     "export": ("results", "export_command"),
+    "network": ("networks", "network_command"),
 }
 
 

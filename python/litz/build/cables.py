@@ -163,8 +163,9 @@ def cable(
     Model
         Groups CORE, LAYER1, ... with the wires of each layer of the first stage; element set WIRES with all; node sets MINUS
         (z = 0, clamped) and PLUS (z = length, free along z only, and guided: `model.press(-d)` pulls by d). With several
-        stages, also element sets BUNDLE1, BUNDLE2, ... of the members of the last stage, and node sets of their ends,
-        BUNDLE1_MINUS, BUNDLE1_PLUS, ..., for clamps and terminals.
+        stages, also element sets BUNDLE1, BUNDLE2, ... of the members of the last stage, BUNDLE1_1, BUNDLE1_2, ... of the
+        members of each of these, and so on, and node sets of their ends, BUNDLE1_MINUS, BUNDLE1_PLUS, ..., for clamps and
+        terminals.
 
     Raises
     ------
@@ -269,7 +270,7 @@ class _Plan:
         bundles: list[StraightAxis | WoundAxis] = [StraightAxis(self.length)]
         if later:
             bundles = _wound(bundles, later[-1])
-        members: list[list[Wire]] = [[] for _ in bundles]
+        members: list[list[list[Wire]]] = [[] for _ in bundles]
         model = Model(self.name)
         for layer, name, radius, material in zip(first, self.group_names, self.radii, materials, strict=True):
             axes = [
@@ -279,10 +280,12 @@ class _Plan:
             group = model.wires(name, list(chain(*axes)), radius=radius, material=material, element=element)
             wires = iter(group.wires)
             for of_bundle, its_members in zip(axes, members, strict=True):
-                its_members.extend(islice(wires, len(of_bundle)))
+                its_members.append(list(islice(wires, len(of_bundle))))
         model.element_set("WIRES", self.group_names)
         if later:
-            _name_bundles(model, members)
+            counts = [sum(stage) for stage in self.stages[-2:0:-1]]
+            for number, layers in enumerate(members, start=1):
+                _name_bundles(model, f"BUNDLE{number}", layers, counts)
         return model
 
     def _n_elements(self, laid: list[list[Layer]]) -> int:
@@ -361,9 +364,25 @@ def _hold_ends(model: Model, ends: str) -> None:
     model.guides["PLUS"] = 1.0
 
 
-def _name_bundles(model: Model, members: list[list[Wire]]) -> None:
-    """Element sets of the bundles, node sets of their ends."""
-    for number, wires in enumerate(members, start=1):
-        model.element_set(f"BUNDLE{number}", [element for wire in wires for element in wire.elements])
-        model.node_set(f"BUNDLE{number}_MINUS", [wire.nodes[0] for wire in wires])
-        model.node_set(f"BUNDLE{number}_PLUS", [wire.nodes[-1] for wire in wires])
+def _name_bundles(model: Model, name: str, layers: list[list[Wire]], counts: list[int]) -> None:
+    """Element sets of a bundle and of those within it, node sets of their ends.
+
+    Parameters
+    ----------
+    model : Model
+    name : str
+        Of the bundle; the bundles within it are NAME_1, NAME_2, ...
+    layers : list of lists of wires
+        Its wires in the layers of the first stage, in the order of the bundles within it.
+    counts : list of int
+        Bundles within it, bundles within each of these, and so on.
+    """
+    wires = [wire for layer in layers for wire in layer]
+    model.element_set(name, [element for wire in wires for element in wire.elements])
+    model.node_set(f"{name}_MINUS", [wire.nodes[0] for wire in wires])
+    model.node_set(f"{name}_PLUS", [wire.nodes[-1] for wire in wires])
+    if not counts:
+        return
+    for number in range(counts[0]):
+        parts = [layer[number * len(layer) // counts[0] : (number + 1) * len(layer) // counts[0]] for layer in layers]
+        _name_bundles(model, f"{name}_{number + 1}", parts, counts[1:])

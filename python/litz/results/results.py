@@ -1,12 +1,14 @@
 """The results of a run as numpy arrays."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from ..base.names import unknown_name
 from ..base.table import Table
-from . import exports, network, summary
+from . import exports, interstrand, network, summary
+from .circuit import Circuit, build_circuit
 from .contact_places import ContactPlaces, contact_places
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
@@ -82,6 +84,67 @@ class Results(ResultFile):
             Each place of a line contact is a contact of its own, as in the ledger; else a zone of line contact is one.
         """
         return network.contact_network(self, increment, every_place=every_place)
+
+    def interstrand_resistance(
+        self,
+        increment: int = -1,
+        *,
+        at: float = 0.0,
+        superconducting: bool | None = None,
+        bundles: Sequence[str] | Mapping[str, Sequence[int]] | None = None,
+    ) -> interstrand.InterstrandResistance:
+        """Resistance between any two wires, from a circuit of all contacts and of the metal between them; needs SciPy.
+
+        It is what a measurement would give whose current enters one wire and leaves another, at the contacts, temperatures and
+        resistivities of this increment. Terminals, potentials and equations of the deck take no part.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+        at : float
+            Where the current enters the wires: 0 at their first nodes, 1 at the last ones, 0.5 in the middle.
+        superconducting : bool, optional
+            Which wires have no resistance along them: None those with superconducting filaments, at currents below the
+            critical one; True all; False none.
+        bundles : sequence of str or dict, optional
+            Element sets that are bundles of wires, or the wires (counted from 0) of each by name, for the stage of each pair.
+            Default: those that `litz.build.cable` makes.
+
+        Returns
+        -------
+        InterstrandResistance
+            `matrix` [ohm], `table()`, `stages()` with means within and between the stages, `between("BUNDLE1", "BUNDLE2")`.
+
+        Examples
+        --------
+        >>> found = results.interstrand_resistance()                                    # doctest: +SKIP
+        >>> found.matrix[0, 1]                                                          # doctest: +SKIP
+        """
+        return interstrand.interstrand_resistance(
+            self, increment, at=at, superconducting=superconducting, bundles=bundles
+        )
+
+    def redistribution_lengths(self, increment: int = -1, *, superconducting: bool | None = None) -> np.ndarray:
+        """Lengths along the wires over which unequal currents even out, the longest first, (n_wires - 1) [m]; needs SciPy.
+
+        Differences between the currents of n wires that conduct into each other all along decay with exp(-x/l) in n - 1
+        modes: 1/l^2 are the eigenvalues of resistance times conductance per length, those of the whole model taken as spread
+        evenly. Two wires: 1/l^2 = (r_1 + r_2) g. Infinite where wires do not touch or have no resistance.
+
+        Parameters
+        ----------
+        increment, superconducting
+            As those of `interstrand_resistance`.
+        """
+        return interstrand.redistribution_lengths(self, increment, superconducting=superconducting)
+
+    def circuit(self, increment: int = -1, *, superconducting: bool | None = None) -> Circuit:
+        """Pieces of wire and all places of contacts as resistances between points, for programs that solve circuits.
+
+        `to_csv`, `to_graphml` and `to_networkx` write it. Parameters as those of `interstrand_resistance`.
+        """
+        return build_circuit(self, increment, superconducting=superconducting)[0]
 
     def contact_zones(self, increment: int = -1) -> Table:
         """Contact along lines at an increment: a row for each zone, a stretch of two wires that touch without a break.
