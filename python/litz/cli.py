@@ -17,7 +17,8 @@ Commands of the Python package:
   litz summary RESULTS                    overview of the run: increments, contacts and the last increment in numbers
   litz table RESULTS                      contacts, contact force and the requested history output, over time
   litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
-                                          lines, currents, network, friction, surfaces or history; --animate: an animation
+                                          lines, currents, shares, section, network, friction, surfaces or history;
+                                          --animate: an animation
   litz report RESULTS [-o PAGE]           one HTML page about a run: convergence, balances, worst contacts, pictures, and
                                           the model to rotate; also for runs that did not converge
   litz view RESULTS [--no-browser]        the results in the browser: rotate, step through increments, select contacts

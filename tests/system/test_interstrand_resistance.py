@@ -129,7 +129,7 @@ class TestRunsThatDriveACurrent:
 
 
 class TestTwoWiresThatTouchAllAlong:
-    """The ladder of two unequal wires with conductance all along them, places are 0.1 and 0.05 mm apart, and exact to the second order."""
+    """Two unequal wires; places are 0.1 and 0.05 mm apart, and exact to the second order."""
 
     @pytest.fixture
     def results(self, run):

@@ -88,7 +88,7 @@ def test_the_sign_of_the_coupling_follows_the_direction_of_its_contacts():
 
 def test_without_scipy_the_error_says_what_is_needed(monkeypatch):
     monkeypatch.setitem(sys.modules, "scipy.sparse", None)
-    with pytest.raises(litz.FileError, match="pip install scipy$"):
+    with pytest.raises(litz.FileError, match=r"pip install scipy$"):
         circuit([(0, 1)], [1]).solver()
 
 

@@ -44,6 +44,13 @@ def plot_command(arguments: list[str]) -> int:
     parser.add_argument(
         "--wire", type=int, metavar="N", help="for lines: the wire, counted from 1, along which they are drawn"
     )
+    parser.add_argument(
+        "--place",
+        type=float,
+        default=0.5,
+        metavar="PART",
+        help="for section: place along the cable, 0 to 1; default: 0.5",
+    )
     parser.add_argument("--no-reference", action="store_true", help="do not draw the undeformed axes")
     parser.add_argument("--animate", action="store_true", help="the wires over all increments, as .gif or .mp4")
     parser.add_argument("--frames-per-second", type=float, default=10.0, metavar="N", help="default: 10")
@@ -65,6 +72,7 @@ def plot_command(arguments: list[str]) -> int:
             if wire is not None and (kind != "lines" or not 1 <= wire <= len(results.wires)):
                 raise ValueError(f"--wire is for lines, a number from 1 to {len(results.wires)}")
             look["wire"] = None if wire is None else wire - 1
+            look["place"] = options.place
             picture = plot(results, kind, options.output, increment=increment, **look)
     except (ValueError, LookupError) as error:
         parser.error(error.args[0])

@@ -99,7 +99,7 @@ class Circuit:
         return Table(columns, units | {"resistance": self.unit["ohm"], "force": self.unit["N"]})
 
     def to_csv(self, path: str | PathLike) -> Path:
-        """Write the resistances as a table, a row for each; points and wires are counted from 1, pieces of wire have the contact 0."""
+        """Write the resistances as a table, a row for each, points and wires counted from 1; pieces of wire have contact 0."""
         table, path = self.table(), Path(path)
         counted = ("point_1", "point_2", "wire_1", "wire_2")
         with path.open("w", newline="", encoding="utf-8") as file:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..base.names import unknown_name
 from ..base.table import Table
-from . import exports, interstrand, network, summary
+from . import along_cable, exports, interstrand, network, summary
 from .circuit import Circuit, build_circuit
 from .contact_places import ContactPlaces, contact_places
 from .contact_zones import contact_zones, wire_pairs
@@ -145,6 +145,60 @@ class Results(ResultFile):
         `to_csv`, `to_graphml` and `to_networkx` write it. Parameters as those of `interstrand_resistance`.
         """
         return build_circuit(self, increment, superconducting=superconducting)[0]
+
+    def current_shares(self, increment: int = -1, count: int = 201) -> along_cable.CurrentShares:
+        """Currents of all wires at places along a cable, and their shares of the whole.
+
+        The axis of the cable leads from one end of the wires to the other; between the nodes of a wire its current is taken as
+        linear.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+        count : int
+            Number of places, evenly from one end to the other, as far as all wires reach.
+
+        Returns
+        -------
+        CurrentShares
+            `place` (m) [m]; `current` (n_wires, m) [A] and `share`, in the order of `wires`; `total` (m) [A].
+        """
+        return along_cable.current_shares(self, increment, count)
+
+    def along_cable(self, increment: int = -1, count: int = 20) -> Table:
+        """Contact forces, conductances and heat per length of a cable: a row for each of `count` slices across it.
+
+        Returns
+        -------
+        Table
+            `place`: middle of the slice along the axis; `force_per_length`, `conductance_per_length`,
+            `contact_heat_per_length`: sums of all contacts between wires in it over its thickness; `wire_heat_per_length`.
+        """
+        return along_cable.along_cable(self, increment, count)
+
+    def wire_heat(self, increment: int = -1) -> Table:
+        """Joule heat of each wire: a row for each, in the order of `wires`.
+
+        Returns
+        -------
+        Table
+            `wire`, counted from 0; `length`; `along`: heat of the currents along the wire; `contacts`: half of the heat of
+            each of its contacts; `total`, and `per_length`.
+        """
+        return along_cable.wire_heat(self, increment)
+
+    def along_wires(self, increment: int = -1) -> Table:
+        """Results of the elements along the wires: a row for each element, in the order of wires and along each.
+
+        Returns
+        -------
+        Table
+            `wire`, counted from 0; `element`: its number in the deck; `arc`: middle of the element along the wire before
+            deformation; `x`, `y`, `z` after it; and all scalar fields of elements, such as `axial_strain`, `strain_max`
+            and `strain_min` where a step asks for them; currents count along the wire.
+        """
+        return along_cable.along_wires(self, increment)
 
     def contact_zones(self, increment: int = -1) -> Table:
         """Contact along lines at an increment: a row for each zone, a stretch of two wires that touch without a break.
