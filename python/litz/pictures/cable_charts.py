@@ -20,6 +20,8 @@ _MAX_NUMBERS = 100
 # Area of the dot of the largest force [points^2]
 _LARGEST_DOT = 160.0
 _SURFACE = "#555555"
+# Weights of red, green and blue in what looks bright (Rec. 709)
+_LUMINANCE = (0.2126, 0.7152, 0.0722)
 # Directions that differ by less than this cosine from the axis are across it
 _ACROSS = 0.01
 
@@ -55,6 +57,8 @@ def shares_along(axes: Axes, results: Results, increment: int) -> None:
                   linewidth=1.6 if few else 0.8, alpha=1.0 if few else 0.6, label=name)  # fmt: skip
     if not unit:
         axes.axhline(1 / len(values), color="#888888", linewidth=0.8, linestyle=":", label="equal shares")
+        # shares that are nearly equal look so
+        axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0] if values.min() < 0 else 0.0))
     axes.set_xlabel(label("place along the cable", length_unit))
     axes.set_ylabel(label(text, unit))
     legend_beside(axes)
@@ -97,7 +101,7 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
     axes.add_collection(discs)
     if len(values) <= _MAX_NUMBERS:
         for wire, centre, value in zip(cut.wires, cut.centre, factor * values, strict=True):
-            bright = mpl.colors.rgb_to_hsv(discs.cmap(norm(value))[:3])[2] > 0.75
+            bright = np.dot(_LUMINANCE, discs.cmap(norm(value))[:3]) > 0.5
             axes.annotate(str(wire + 1), scale * centre, ha="center", va="center", fontsize="x-small",
                           color="#1b1b1b" if bright else "white", zorder=4)  # fmt: skip
     note = _draw_contacts(axes, results, increment, cut, scale)
