@@ -15,6 +15,7 @@ from ..model.wires import Wire
 from .geometry import rounded, smallest_gap
 from .helices import Lay
 from .layers import Layer, radius_of_layer
+from .strand_groups import Materials, add_strands, hold_ends
 from .winding import StraightAxis, WoundAxis, points
 
 #: Wires may overlap by this share of the smallest radius where their axes are interpolated between the nodes
@@ -39,7 +40,7 @@ def strand(
     enlarge: bool = False,
     element_length: float | None = None,
     elements_per_lay: int | None = None,
-    material: Material | Sequence[Material] = COPPER,
+    material: Material | Sequence[Materials] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
     ends: str = "clamped",
@@ -76,7 +77,9 @@ def strand(
         Elements of a wire on each turn of the shortest lay. Left out both: three radii at most, as contact along lines
         needs, and so short that wires overlap by 1e-4 of their radius at most between the nodes.
     material : Material or sequence of Material
-        What the wires are made of, all or each layer.
+        What the wires are made of, all or those of each layer; that of a layer may be a sequence of those of its wires, as
+        `[[bronze, bronze, copper]]` of a triplet. Such a layer is a group for each material, LAYER1_COPPER etc., and an
+        element set LAYER1.
     interaction, element
         The laws of their contacts, type of the elements.
     ends : {"clamped", "sliding"}
@@ -128,7 +131,7 @@ def cable(
     enlarge: bool = True,
     element_length: float | None = None,
     elements_per_lay: int | None = None,
-    material: Material | Sequence[Material] = COPPER,
+    material: Material | Sequence[Materials] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
     ends: str = "clamped",
@@ -202,7 +205,7 @@ class _Plan:
     enlarge: bool
     element_length: float | None
     elements_per_lay: int | None
-    material: Material | Sequence[Material]
+    material: Material | Sequence[Materials]
 
     def __post_init__(self) -> None:
         if not self.length > 0 or not min(self.radii) > 0 or not self.clearance >= 0:
@@ -229,8 +232,6 @@ class _Plan:
 
     def model(self, interaction: Interaction, element: str, ends: str) -> Model:
         """The model, with gaps that are enlarged until no wires overlap."""
-        if ends not in ("clamped", "sliding"):
-            raise ValueError(f'ends must be "clamped" or "sliding", not {ends!r}')
         room, allowed = self.clearance, OVERLAP * min(self.radii)
         remarks = [layer.remark for stage in self._laid(room, self.enlarge) for layer in stage if layer.remark]
         for _ in range(_TRIES):
@@ -243,7 +244,7 @@ class _Plan:
         else:
             raise ValueError("the wires overlap for any gap: the lay is too short")
         model.comments += remarks
-        _hold_ends(model, ends)
+        hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
         return model
 
@@ -272,16 +273,19 @@ class _Plan:
             bundles = _wound(bundles, later[-1])
         members: list[list[list[Wire]]] = [[] for _ in bundles]
         model = Model(self.name)
-        for layer, name, radius, material in zip(first, self.group_names, self.radii, materials, strict=True):
+        laid_alike = zip(first, self.group_names, self.radii, materials, self.stages[0], strict=True)
+        for layer, name, radius, material, count in laid_alike:
             axes = [
                 [rounded(points(axis, z), min(self.radii)) for axis in _wound([bundle], *reversed(later[:-1]), [layer])]
                 for bundle in bundles
             ]
-            group = model.wires(name, list(chain(*axes)), radius=radius, material=material, element=element)
-            wires = iter(group.wires)
+            strands = add_strands(
+                model, name, list(chain(*axes)), radius=radius, material=material, element=element, count=count
+            )
+            wires = iter(strands)
             for of_bundle, its_members in zip(axes, members, strict=True):
                 its_members.append(list(islice(wires, len(of_bundle))))
-        model.element_set("WIRES", self.group_names)
+        model.element_set("WIRES", list(model.groups))
         if later:
             counts = [sum(stage) for stage in self.stages[-2:0:-1]]
             for number, layers in enumerate(members, start=1):
@@ -348,20 +352,6 @@ def _each(what: str, value: Any, count: int) -> list[Any]:
     if len(values) != count:
         raise ValueError(f"{count} layers need one {what} for all or {count}; given are {len(values)}: {values}")
     return values
-
-
-def _hold_ends(model: Model, ends: str) -> None:
-    """Hold the lower ends, and the upper ones but for their motion along z, which is guided; sliding ones move across, too."""
-    wires = [wire for group in model.groups.values() for wire in group.wires]
-    model.node_set("MINUS", [wire.nodes[0] for wire in wires])
-    model.node_set("PLUS", [wire.nodes[-1] for wire in wires])
-    if ends == "clamped":
-        model.fix("MINUS")
-        model.fix("PLUS", "x", "y", "rotations")
-    else:
-        model.fix("MINUS", "z", "rotations")
-        model.fix("PLUS", "rotations")
-    model.guides["PLUS"] = 1.0
 
 
 def _name_bundles(model: Model, name: str, layers: list[list[Wire]], counts: list[int]) -> None:

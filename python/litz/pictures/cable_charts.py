@@ -20,6 +20,8 @@ _MAX_NUMBERS = 100
 # Area of the dot of the largest force [points^2]
 _LARGEST_DOT = 160.0
 _SURFACE = "#555555"
+# Width over thickness of a flat cable
+_FLAT = 1.8
 # Weights of red, green and blue in what looks bright (Rec. 709)
 _LUMINANCE = (0.2126, 0.7152, 0.0722)
 # Directions that differ by less than this cosine from the axis are across it
@@ -108,7 +110,10 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
     axes.autoscale_view()
     axes.margins(0.06)
     _draw_surfaces(axes, results, increment, cut, scale)
-    bar = figure.colorbar(discs, ax=axes, shrink=0.85, pad=0.02, aspect=30)
+    # below a cable that is flat
+    size = np.ptp(cut.centre, axis=0) + 2 * cut.short.max()
+    side = "bottom" if size[0] > _FLAT * size[1] else "right"
+    bar = figure.colorbar(discs, ax=axes, shrink=0.85, pad=0.02, aspect=30, location=side)
     bar.formatter.set_powerlimits((-3, 4))
     bar.set_label(label(text, unit))
     bar.outline.set_visible(False)
