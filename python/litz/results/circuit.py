@@ -6,7 +6,7 @@ import csv
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 # Places in an element that are nearer to each other than this part of it are one point
 _SAME_PLACE = 1e-9
+# Currents for which a circuit is solved at once
+_AT_ONCE = 16
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -208,7 +210,7 @@ class CircuitSolver:
         kept = (rows >= 0) & (columns >= 0)
         size = n_free + len(branches)
         matrix = sparse.csc_matrix((values[kept], (rows[kept], columns[kept])), shape=(size, size))
-        self._factor = _factor(matrix, symmetric=not len(branches)) if size else None
+        self._factor: Any = _factor(matrix, symmetric=not len(branches)) if size else None
         self._size = size
 
     def resistances(self, points: np.ndarray) -> np.ndarray:
@@ -217,11 +219,13 @@ class CircuitSolver:
         rows, part = self._row[vertex], self._part[vertex]
         n, free = len(points), rows >= 0
         raised = np.zeros((n, n))
-        if free.any() and self._factor is not None:
-            right = np.zeros((self._size, n))
-            right[rows[free], np.flatnonzero(free)] = 1.0
-            solved = self._factor.solve(right)
-            raised[free] = solved[rows[free]]
+        entries = np.flatnonzero(free)
+        # nothing is free in a circuit without a factor
+        for first in range(0, len(entries) if self._factor is not None else 0, _AT_ONCE):
+            some = entries[first : first + _AT_ONCE]
+            right = np.zeros((self._size, len(some)))
+            right[rows[some], np.arange(len(some))] = 1.0
+            raised[np.ix_(free, some)] = self._factor.solve(right)[rows[free]]
         own = np.diag(raised)
         found = own[:, None] + own[None, :] - raised - raised.T
         found[part[:, None] != part[None, :]] = np.inf
