@@ -15,7 +15,7 @@ module litz_command_line
       'help', '--help', '--version']
    !> Those of the Python package, which its own `litz` takes; here they are for messages
    character(len=word_length), parameter :: python_commands(*) = [character(len=word_length) :: 'summary', 'table', &
-      'plot', 'report', 'view', 'new', 'convert', 'export']
+      'plot', 'report', 'view', 'new', 'convert', 'export', 'network']
    character(len=word_length), parameter :: run_options(*) = [character(len=word_length) :: '-o', '--output', &
       '--solver', &
       '--threads', '--restart', '--quiet', '--timing']

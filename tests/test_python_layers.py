@@ -36,7 +36,17 @@ MAY_IMPORT = {
     "__main__": {"cli"},
 }
 # Packages that take long to load, or that litz runs without
-LOADED_WHEN_NEEDED = {"matplotlib", "mpl_toolkits", "pyvista", "vtkmodules", "PIL", "IPython", "networkx", "pandas"}
+LOADED_WHEN_NEEDED = {
+    "matplotlib",
+    "mpl_toolkits",
+    "pyvista",
+    "vtkmodules",
+    "PIL",
+    "IPython",
+    "networkx",
+    "pandas",
+    "scipy",
+}
 
 
 def name_of(path, package=PACKAGE):

@@ -3,7 +3,7 @@
 !> Fields of the result files, columns of the ledger and of the history, the names that decks may ask for, the check for
 !> values that are not numbers, and restart files follow these lists.
 module litz_result_quantities
-   use litz_fields, only: fields, n_fields, n_groups, field_temperature, first_slot
+   use litz_fields, only: fields, n_fields, n_groups, field_potential, field_temperature, first_slot
    use litz_kinds, only: dp
    use litz_model, only: model_t, has_element_loads, has_superconductors
    use litz_quantities, only: quantity_t, quantity_table_t, on_points, on_cells
@@ -69,6 +69,12 @@ contains
          'current per area of the cross-section, from the first to the second node', state%current_density)
       call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
          is_sum=.true.)
+      if (state%has_field(field_potential)) then
+         call add(list, on_cells, 'resistivity', 'ohm m', 'resistivity of the metal at its temperature; 0: it does'// &
+            ' not conduct', state%metal, 1, 1)
+         call add(list, on_cells, 'element_resistance', 'ohm', 'resistance of the metal from node to node; 0: the'// &
+            ' element does not conduct', state%metal, 2, 1)
+      end if
       if (state%has_superconductors) then
          call add(list, on_cells, 'electric_field', 'V/m', 'electric field along a wire with superconducting'// &
             ' filaments', state%superconductors, 1, 1, 'SC', 'EFIELD')

@@ -142,6 +142,9 @@ module litz_state
       real(dp), allocatable :: superconductors(:, :)
       !> Current per area of the cross-section (n_elements) [A/m^2]
       real(dp), allocatable :: current_density(:)
+      !> Of the metal of each element: resistivity [ohm m], and resistance from node to node [ohm] (2, n_elements); 0
+      !> where it does not conduct
+      real(dp), allocatable :: metal(:, :)
       !> Forces on the nodes from what is neither in the model nor a support or load: damping (n_slots, n_nodes)
       !> [N, N m]; a term adds its own when the increment is accepted
       real(dp), allocatable :: outer_force(:, :)

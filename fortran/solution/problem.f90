@@ -63,6 +63,8 @@ contains
       problem%iterate%constraints = new_linear_constraints(model)
       problem%superconductors = new_superconductors(model)
       call list_terms(problem%domain_t, problem%contact, problem%terms)
+      call problem%iterate%start(problem%state, model%x)
+      call problem%note_metal()
    end subroutine prepare_problem
 
    !> The undeformed model without voltages, at its initial temperatures.
@@ -81,6 +83,7 @@ contains
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
             state%temperature_earlier(n), source=0.0_dp)
+         allocate (state%metal(2, m), source=0.0_dp)
          allocate (state%superconductors(4, merge(m, 0, state%has_superconductors)), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))
          state%value = initial_values(problem%model)

@@ -187,6 +187,7 @@ contains
          state%element_current = self%element_current
          state%current_density = self%element_current/model%sections(model%element_section)%area
          state%joule_heat = self%joule_heat
+         call domain%note_metal()
          if (size(domain%superconductors%members) == 0) return
          do i = 1, size(domain%superconductors%members)
             associate (flow => domain%superconductors%flows(i), wire => domain%superconductors%wires(i), &

@@ -77,6 +77,7 @@ module litz_domain
       procedure :: mean_temperature
       procedure :: mechanical_temperature
       procedure :: resistivity
+      procedure :: note_metal
       procedure :: flow_in
       procedure :: find_superconducting_flows
    end type domain_t
@@ -148,6 +149,22 @@ contains
             self%mean_temperature(element), rho, drho)
       end associate
    end subroutine resistivity
+
+   !> Resistivity and resistance of the metal of each element at the present iterate, for the results.
+   pure subroutine note_metal(self)
+      class(domain_t), intent(inout) :: self
+      real(dp) :: rho, drho, area
+      integer :: e
+
+      do e = 1, self%model%n_elements
+         call self%resistivity(e, rho, drho)
+         area = self%elements%area(e)
+         associate (material => self%model%materials(self%model%sections(self%model%element_section(e))%material))
+            if (allocated(material%superconductor)) area = area*(1 - material%superconductor%fraction)
+         end associate
+         self%state%metal(:, e) = rho*[1.0_dp, self%conduction_length(e)/area]
+      end do
+   end subroutine note_metal
 
    !> The current in a conducting element at the present iterate, to first order.
    pure type(element_flow_t) function flow_in(self, element) result(flow)

@@ -17,7 +17,8 @@ Commands of the Python package:
   litz summary RESULTS                    overview of the run: increments, contacts and the last increment in numbers
   litz table RESULTS                      contacts, contact force and the requested history output, over time
   litz plot RESULTS [KIND] [-o PICTURE]   a picture; KIND: overview (default), wires, resistance, residuals, contacts,
-                                          lines, currents, network, friction, surfaces or history; --animate: an animation
+                                          lines, currents, shares, section, network, friction, surfaces or history;
+                                          --animate: an animation
   litz report RESULTS [-o PAGE]           one HTML page about a run: convergence, balances, worst contacts, pictures, and
                                           the model to rotate; also for runs that did not converge
   litz view RESULTS [--no-browser]        the results in the browser: rotate, step through increments, select contacts
@@ -25,6 +26,8 @@ Commands of the Python package:
   litz convert MESH DECK --radius R       a deck from one of Abaqus or CalculiX, or from a mesh of gmsh, BeamMe or meshio
   litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
   litz export feap|abaqus DECK            the model for a program with litz's contact element as a user element
+  litz network RESULTS [--csv FILE] [--graphml FILE]
+                                          resistances between wires; the circuit of wires and contacts as files
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
 """
 
@@ -39,6 +42,7 @@ COMMANDS = {
     "new": ("decks", "new_command"),
     "convert": ("decks", "convert_command"),
     "export": ("results", "export_command"),
+    "network": ("networks", "network_command"),
 }
 
 

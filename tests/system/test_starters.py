@@ -1,5 +1,6 @@
 """`litz new`: decks to begin with run as they stand, and never replace a file."""
 
+import numpy as np
 import pytest
 
 import litz
@@ -37,6 +38,17 @@ def test_friction_of_the_starter_is_coulombs(tmp_path):
     # at the end of each drag the wire slips, at the limit: mu = 0.3 of the force, which presses nearly along z
     assert sliding[-1] / pressing[-1] == pytest.approx(-0.3, rel=1e-3)
     assert history["ALLFD"][-1] > 0
+
+
+def test_resistances_between_all_strands_of_the_triplet_follow_from_one_run(tmp_path):
+    results = litz.run(litz.new("triplet", tmp_path / "deck.inp"), output_directory=tmp_path)
+    found = results.interstrand_resistance()
+    assert found.matrix[0, 1] == pytest.approx(results.history["resistance FIRST to SECOND"][-1], rel=1e-7)
+    # the triplet is pressed alike on all sides
+    np.testing.assert_allclose(found.table()["resistance"], found.matrix[0, 1], rtol=1e-3)
+    jacket = results.rigid_surfaces["JACKET"].radius_at(results)
+    length = results.wire_arcs.wire_length / 20e-3
+    assert (length * 0.41e-3**2).sum() / jacket**2 == pytest.approx(0.65, rel=1e-6)
 
 
 def test_the_fuse_of_the_starter_melts_as_that_of_the_deck(inputs, tmp_path):

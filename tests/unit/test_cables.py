@@ -263,6 +263,22 @@ def test_a_cable_has_its_bundles_and_their_ends():
     assert set(model.node_sets["MINUS"]) == {wire.nodes[0] for wire in wires.values()}
 
 
+def test_bundles_within_bundles_have_names():
+    """2 x (1+2) x (1+2): wires of the core and of the layer, bundles in the middle and about it."""
+    model = build.cable([[1, 2], [1, 2], [2]], radius=0.1e-3, lay_lengths=[8e-3, 15e-3, 40e-3], length=1e-3)
+    x = {node: model.x[node - 1, :2] for node in model.node_sets["MINUS"]}
+    for outer in (1, 2):
+        ends = [model.node_sets[f"BUNDLE{outer}_{inner}_MINUS"] for inner in (1, 2, 3)]
+        assert sorted(np.concatenate(ends)) == sorted(model.node_sets[f"BUNDLE{outer}_MINUS"])
+        assert len(model.element_sets[f"BUNDLE{outer}_1"]) * 3 == len(model.element_sets[f"BUNDLE{outer}"])
+        for members in ends:
+            # a core and two wires on either side of it
+            place = np.array([x[node] for node in members])
+            assert np.linalg.norm(place[1:].mean(axis=0) - place[0]) < 0.01e-3
+            assert np.linalg.norm(place[1:] - place[0], axis=1) == pytest.approx([0.2e-3] * 2, rel=0.05)
+    assert not any(name.count("_") > 1 for name in model.element_sets)
+
+
 def test_a_rope_of_unlike_wires_has_a_group_for_each():
     model = build.cable(
         [[1, 6], [1, 6]], radius=[0.12e-3, 0.1e-3], lay_lengths=[5e-3, 15e-3], length=2e-3, material=[build.STEEL, build.COPPER]

@@ -447,6 +447,17 @@ EXPECTED = {
             for kind in ("lap", "hairpin")
         }
     ),
+    "current_sharing": lambda case: {
+        "current_sharing.ladder": [
+            case.LADDER.hairpin(),
+            LineJoint(case.LENGTH / 2, case.CONDUCTANCE, *case.PER_LENGTH).hairpin() / 2,
+        ],
+        "current_sharing.share": case.LADDER.lap_current(np.array(case.PLACES) * case.LENGTH),
+        "current_sharing.length": 1 / case.LADDER.rate,
+        "current_sharing.joint.between": case.ONE_JOINT.between(),
+        "current_sharing.joint.resistance": case.ONE_JOINT.resistance(),
+        "current_sharing.joint.share": case.ONE_JOINT.share(),
+    },
     "ends": lambda case: {
         "ends.side.force": [case.exact(end_on_wire)[0]] * len(case.ANGLES),
         "ends.side.resistance": [case.exact(end_on_wire)[1]] * len(case.ANGLES),

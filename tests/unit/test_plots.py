@@ -19,8 +19,8 @@ from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.tube_mesh import tubes
 
 KINDS = (
-    "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "network", "friction", "surfaces",
-    "history",
+    "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "shares", "section", "network",
+    "friction", "surfaces", "history",
 )  # fmt: skip
 
 
@@ -69,8 +69,9 @@ def picture_of(written, tmp_path_factory):
 
 
 class TestPictures:
-    # these wires cross: tests/system/test_zones.py draws contact along lines, test_surface_results.py rigid surfaces
-    @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("lines", "surfaces")])
+    # these wires cross: tests/system/test_zones.py draws contact along lines, test_surface_results.py rigid surfaces,
+    # test_along_cable.py what a cable has
+    @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("lines", "surfaces", "shares", "section")])
     def test_every_kind_makes_a_picture_with_something_on_it(self, picture_of, kind):
         picture = picture_of(kind)
         assert picture.shape[0] > 500

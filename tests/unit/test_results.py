@@ -86,6 +86,8 @@ class TestWhatVtkReads:
         np.testing.assert_array_equal(array(cells, "element_current"), 3 * increment * ELEMENT)
         np.testing.assert_allclose(array(cells, "current_density"), 3 * increment * ELEMENT / 4e-4, rtol=1e-14)
         np.testing.assert_array_equal(array(cells, "joule_heat"), 4 * increment * ELEMENT)
+        np.testing.assert_array_equal(array(cells, "resistivity"), 2e-8)
+        np.testing.assert_array_equal(array(cells, "element_resistance"), 1e-3 * increment)
         np.testing.assert_array_equal(array(cells, "element_id"), 100 + ELEMENT)
         np.testing.assert_array_equal(array(cells, "section"), [1, 1, 2, 2])
         np.testing.assert_array_equal(array(cells, "wire"), [1, 1, 2, 2])

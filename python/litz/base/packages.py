@@ -7,8 +7,9 @@ from ..errors import FileError
 
 
 def optional(package: str) -> ModuleType:
-    """Import an optional dependency."""
+    """Import an optional dependency, or a module of it."""
     try:
         return import_module(package)
     except ImportError:
-        raise FileError(f"this needs the Python package {package}: pip install {package}") from None
+        name = package.partition(".")[0]
+        raise FileError(f"this needs the Python package {name}: pip install {name}") from None

@@ -12,6 +12,7 @@ from .films import nanowire_film
 from .geometry import smallest_gap
 from .jackets import compact
 from .plates import press_plates
+from .rutherford import rutherford
 
 __all__ = [
     "COPPER",
@@ -26,6 +27,7 @@ __all__ = [
     "fibre_mat",
     "nanowire_film",
     "press_plates",
+    "rutherford",
     "smallest_gap",
     "straight",
     "strand",

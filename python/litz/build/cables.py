@@ -15,6 +15,7 @@ from ..model.wires import Wire
 from .geometry import rounded, smallest_gap
 from .helices import Lay
 from .layers import Layer, radius_of_layer
+from .strand_groups import Materials, add_strands, hold_ends
 from .winding import StraightAxis, WoundAxis, points
 
 #: Wires may overlap by this share of the smallest radius where their axes are interpolated between the nodes
@@ -39,7 +40,7 @@ def strand(
     enlarge: bool = False,
     element_length: float | None = None,
     elements_per_lay: int | None = None,
-    material: Material | Sequence[Material] = COPPER,
+    material: Material | Sequence[Materials] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
     ends: str = "clamped",
@@ -76,7 +77,9 @@ def strand(
         Elements of a wire on each turn of the shortest lay. Left out both: three radii at most, as contact along lines
         needs, and so short that wires overlap by 1e-4 of their radius at most between the nodes.
     material : Material or sequence of Material
-        What the wires are made of, all or each layer.
+        What the wires are made of, all or those of each layer; that of a layer may be a sequence of those of its wires, as
+        `[[bronze, bronze, copper]]` of a triplet. Such a layer is a group for each material, LAYER1_COPPER etc., and an
+        element set LAYER1.
     interaction, element
         The laws of their contacts, type of the elements.
     ends : {"clamped", "sliding"}
@@ -128,7 +131,7 @@ def cable(
     enlarge: bool = True,
     element_length: float | None = None,
     elements_per_lay: int | None = None,
-    material: Material | Sequence[Material] = COPPER,
+    material: Material | Sequence[Materials] = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
     ends: str = "clamped",
@@ -163,8 +166,9 @@ def cable(
     Model
         Groups CORE, LAYER1, ... with the wires of each layer of the first stage; element set WIRES with all; node sets MINUS
         (z = 0, clamped) and PLUS (z = length, free along z only, and guided: `model.press(-d)` pulls by d). With several
-        stages, also element sets BUNDLE1, BUNDLE2, ... of the members of the last stage, and node sets of their ends,
-        BUNDLE1_MINUS, BUNDLE1_PLUS, ..., for clamps and terminals.
+        stages, also element sets BUNDLE1, BUNDLE2, ... of the members of the last stage, BUNDLE1_1, BUNDLE1_2, ... of the
+        members of each of these, and so on, and node sets of their ends, BUNDLE1_MINUS, BUNDLE1_PLUS, ..., for clamps and
+        terminals.
 
     Raises
     ------
@@ -201,7 +205,7 @@ class _Plan:
     enlarge: bool
     element_length: float | None
     elements_per_lay: int | None
-    material: Material | Sequence[Material]
+    material: Material | Sequence[Materials]
 
     def __post_init__(self) -> None:
         if not self.length > 0 or not min(self.radii) > 0 or not self.clearance >= 0:
@@ -228,8 +232,6 @@ class _Plan:
 
     def model(self, interaction: Interaction, element: str, ends: str) -> Model:
         """The model, with gaps that are enlarged until no wires overlap."""
-        if ends not in ("clamped", "sliding"):
-            raise ValueError(f'ends must be "clamped" or "sliding", not {ends!r}')
         room, allowed = self.clearance, OVERLAP * min(self.radii)
         remarks = [layer.remark for stage in self._laid(room, self.enlarge) for layer in stage if layer.remark]
         for _ in range(_TRIES):
@@ -242,7 +244,7 @@ class _Plan:
         else:
             raise ValueError("the wires overlap for any gap: the lay is too short")
         model.comments += remarks
-        _hold_ends(model, ends)
+        hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
         return model
 
@@ -269,20 +271,25 @@ class _Plan:
         bundles: list[StraightAxis | WoundAxis] = [StraightAxis(self.length)]
         if later:
             bundles = _wound(bundles, later[-1])
-        members: list[list[Wire]] = [[] for _ in bundles]
+        members: list[list[list[Wire]]] = [[] for _ in bundles]
         model = Model(self.name)
-        for layer, name, radius, material in zip(first, self.group_names, self.radii, materials, strict=True):
+        laid_alike = zip(first, self.group_names, self.radii, materials, self.stages[0], strict=True)
+        for layer, name, radius, material, count in laid_alike:
             axes = [
                 [rounded(points(axis, z), min(self.radii)) for axis in _wound([bundle], *reversed(later[:-1]), [layer])]
                 for bundle in bundles
             ]
-            group = model.wires(name, list(chain(*axes)), radius=radius, material=material, element=element)
-            wires = iter(group.wires)
+            strands = add_strands(
+                model, name, list(chain(*axes)), radius=radius, material=material, element=element, count=count
+            )
+            wires = iter(strands)
             for of_bundle, its_members in zip(axes, members, strict=True):
-                its_members.extend(islice(wires, len(of_bundle)))
-        model.element_set("WIRES", self.group_names)
+                its_members.append(list(islice(wires, len(of_bundle))))
+        model.element_set("WIRES", list(model.groups))
         if later:
-            _name_bundles(model, members)
+            counts = [sum(stage) for stage in self.stages[-2:0:-1]]
+            for number, layers in enumerate(members, start=1):
+                _name_bundles(model, f"BUNDLE{number}", layers, counts)
         return model
 
     def _n_elements(self, laid: list[list[Layer]]) -> int:
@@ -347,23 +354,25 @@ def _each(what: str, value: Any, count: int) -> list[Any]:
     return values
 
 
-def _hold_ends(model: Model, ends: str) -> None:
-    """Hold the lower ends, and the upper ones but for their motion along z, which is guided; sliding ones move across, too."""
-    wires = [wire for group in model.groups.values() for wire in group.wires]
-    model.node_set("MINUS", [wire.nodes[0] for wire in wires])
-    model.node_set("PLUS", [wire.nodes[-1] for wire in wires])
-    if ends == "clamped":
-        model.fix("MINUS")
-        model.fix("PLUS", "x", "y", "rotations")
-    else:
-        model.fix("MINUS", "z", "rotations")
-        model.fix("PLUS", "rotations")
-    model.guides["PLUS"] = 1.0
+def _name_bundles(model: Model, name: str, layers: list[list[Wire]], counts: list[int]) -> None:
+    """Element sets of a bundle and of those within it, node sets of their ends.
 
-
-def _name_bundles(model: Model, members: list[list[Wire]]) -> None:
-    """Element sets of the bundles, node sets of their ends."""
-    for number, wires in enumerate(members, start=1):
-        model.element_set(f"BUNDLE{number}", [element for wire in wires for element in wire.elements])
-        model.node_set(f"BUNDLE{number}_MINUS", [wire.nodes[0] for wire in wires])
-        model.node_set(f"BUNDLE{number}_PLUS", [wire.nodes[-1] for wire in wires])
+    Parameters
+    ----------
+    model : Model
+    name : str
+        Of the bundle; the bundles within it are NAME_1, NAME_2, ...
+    layers : list of lists of wires
+        Its wires in the layers of the first stage, in the order of the bundles within it.
+    counts : list of int
+        Bundles within it, bundles within each of these, and so on.
+    """
+    wires = [wire for layer in layers for wire in layer]
+    model.element_set(name, [element for wire in wires for element in wire.elements])
+    model.node_set(f"{name}_MINUS", [wire.nodes[0] for wire in wires])
+    model.node_set(f"{name}_PLUS", [wire.nodes[-1] for wire in wires])
+    if not counts:
+        return
+    for number in range(counts[0]):
+        parts = [layer[number * len(layer) // counts[0] : (number + 1) * len(layer) // counts[0]] for layer in layers]
+        _name_bundles(model, f"{name}_{number + 1}", parts, counts[1:])

@@ -9,11 +9,12 @@ from typing import Any
 from ..base.names import unknown_name
 from ..deck import Card, Deck
 from ..errors import FileError
-from ..model import COPPER, Hertz, HertzSpot, Material, Model
+from ..model import COPPER, FilmSpot, Hertz, HertzSpot, Interaction, Material, Model
 from ..model.loading import describe_fields
-from .cables import strand
+from .cables import cable, strand
 from .fabrics import wire_grid
 from .fibre_mats import fibre_mat
+from .jackets import compact
 
 #: What a card is for, before the first of its kind; "STEP ..." for those in a step
 _NOTES = {
@@ -24,6 +25,8 @@ _NOTES = {
     "MATERIAL": "material of the wires: Young's modulus [Pa], Poisson's ratio; conductivity [S/m]",
     "BEAM SECTION": "round wires: the radius [m]",
     "SURFACE INTERACTION": "the laws of a contact: force, friction, resistance of the spot",
+    "AMPLITUDE": "values over time: time, value, ...",
+    "RIGID SURFACE": "a jacket: a point of its axis and the direction of it, its radius [m], which follows an amplitude",
     "CONTACT PAIR": "sets that may touch; a single set: contact among its wires",
     "BOUNDARY": "held from the start: nodes, first and last degree of freedom: {fields}",
     "STEP": "a load step, with the maximum number of increments",
@@ -33,6 +36,7 @@ _NOTES = {
     "INITIAL CONDITIONS": "temperature before the first step [K]",
     "STEP COUPLED THERMAL-ELECTRICAL": "currents and temperatures over time: increment, time of the step [s]",
     "STEP CECURRENT": "currents into nodes [A]",
+    "STEP CONTROLS": "damping of strands that are loose until others hold them",
     "STEP ELECTRODE PRINT": "voltage, current and resistance between two node sets, also in the history file",
     "STEP ENERGY PRINT": "energies: the work of the supports is stored in wires and contacts, or dissipated by friction",
 }
@@ -128,6 +132,27 @@ def _strand() -> Model:
     return model
 
 
+def _triplet() -> Model:
+    film = Interaction(conductance=FilmSpot(1e-11))
+    model = cable(
+        [[3]], radius=0.41e-3, lay_lengths=[80e-3], length=20e-3, ends="sliding", interaction=film, elements_per_lay=60
+    )
+    model.title = "Three strands in a jacket that shrinks: the resistance between two of them"
+    model.comments = [
+        "Copper strands of 0.82 mm with an oxide of 1e-11 ohm m^2, laid together with 80 mm, in a jacket with 35 % of void in",
+        "the end. A current of 1 A enters the first strand and leaves the second one at the same end: the voltage between",
+        "them is the resistance. Others follow from the contacts: litz network, and results.interstrand_resistance() in Python.",
+    ]
+    step = compact(model, void_fraction=0.35, increments=10)
+    first, second, _ = model.groups["LAYER1"].wires
+    model.node_set("FIRST", first.nodes[0])
+    model.node_set("SECOND", second.nodes[0])
+    step.current("FIRST", 1.0)
+    step.potential("SECOND", 0.0)
+    step.electrode_print("FIRST", "SECOND")
+    return model
+
+
 def _fuse() -> Model:
     rho, slope, room, melting = 1.72e-8, 3.93e-3, 293.15, 1357.0
     hot = 1700.0
@@ -161,6 +186,7 @@ STARTERS = {
     "grid": Starter("four wires across four others: current through a network of contacts", _grid),
     "fibre-mat": Starter("random fibres pressed between two electrodes", _fibre_mat),
     "strand": Starter("six wires laid on a core, pulled: contact along lines", _strand),
+    "triplet": Starter("three strands in a jacket that shrinks: the resistance between strands", _triplet),
     "fuse": Starter("a wire heated by its current over time until it melts", _fuse),
 }
 
@@ -177,7 +203,7 @@ def new(task: str, path: str | os.PathLike | None = None) -> Path:
     Parameters
     ----------
     task : str
-        "crossed-wires", "friction", "grid", "fibre-mat", "strand" or "fuse".
+        "crossed-wires", "friction", "grid", "fibre-mat", "strand", "triplet" or "fuse".
     path : path, optional
         Path of the deck; default: `TASK.inp` in the current directory. An existing file is not replaced.
 

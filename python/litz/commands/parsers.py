@@ -1,8 +1,11 @@
 """Parsers of the arguments of commands."""
 
 import argparse
+import re
 import sys
 from typing import NoReturn
+
+from ..results import Results
 
 
 def results_parser(command: str, description: str, epilog: str | None = None) -> argparse.ArgumentParser:
@@ -26,3 +29,12 @@ def command_parser(command: str, description: str, epilog: str | None = None) ->
         epilog=epilog,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+
+
+def increment_of(results: Results, text: str) -> int:
+    """Index of an increment that is written as STEP:INCREMENT, or as a number from 0, or from the end."""
+    if step := re.fullmatch(r"(\d+):(\d+)", text):
+        return results.index(int(step[1]), int(step[2]))
+    if not re.fullmatch(r"[+-]?\d+", text):
+        raise ValueError(f"an increment is STEP:INCREMENT or a whole number, not {text!r}")
+    return int(text)

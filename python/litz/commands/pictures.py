@@ -11,7 +11,7 @@ from ..reports.report import report
 from ..results import Results
 from ..results.scalars import scalars
 from ..viewer.server import view
-from .parsers import results_parser
+from .parsers import increment_of, results_parser
 
 _PLOT_EXAMPLES = """
 examples:
@@ -44,6 +44,13 @@ def plot_command(arguments: list[str]) -> int:
     parser.add_argument(
         "--wire", type=int, metavar="N", help="for lines: the wire, counted from 1, along which they are drawn"
     )
+    parser.add_argument(
+        "--place",
+        type=float,
+        default=0.5,
+        metavar="PART",
+        help="for section: place along the cable, 0 to 1; default: 0.5",
+    )
     parser.add_argument("--no-reference", action="store_true", help="do not draw the undeformed axes")
     parser.add_argument("--animate", action="store_true", help="the wires over all increments, as .gif or .mp4")
     parser.add_argument("--frames-per-second", type=float, default=10.0, metavar="N", help="default: 10")
@@ -60,11 +67,12 @@ def plot_command(arguments: list[str]) -> int:
                 raise ValueError(f"only the wires can be animated, not {options.kind!r}")
             picture = animate(results, options.output, frames_per_second=options.frames_per_second, **look)
         else:
-            increment = _increment(results, options.increment)
+            increment = increment_of(results, options.increment)
             kind, wire = options.kind or "overview", options.wire
             if wire is not None and (kind != "lines" or not 1 <= wire <= len(results.wires)):
                 raise ValueError(f"--wire is for lines, a number from 1 to {len(results.wires)}")
             look["wire"] = None if wire is None else wire - 1
+            look["place"] = options.place
             picture = plot(results, kind, options.output, increment=increment, **look)
     except (ValueError, LookupError) as error:
         parser.error(error.args[0])
@@ -82,14 +90,6 @@ def _fields(results: Results) -> str:
     width = max(len(name) for name, _, _ in rows)
     lines = [f"{name:<{width}}  {'[' + unit + ']':<8}  {text}\n" for name, unit, text in rows]
     return "".join(lines) + "A vector is shown by its magnitude; NAME.x, NAME.y and NAME.z are its components.\n"
-
-
-def _increment(results: Results, text: str) -> int:
-    if step := re.fullmatch(r"(\d+):(\d+)", text):
-        return results.index(int(step[1]), int(step[2]))
-    if not re.fullmatch(r"[+-]?\d+", text):
-        raise ValueError(f"an increment is STEP:INCREMENT or a whole number, not {text!r}")
-    return int(text)
 
 
 def _view(text: str) -> str | tuple[float, ...]:

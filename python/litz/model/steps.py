@@ -408,6 +408,10 @@ class Step:
         """Write the fields of every n-th increment."""
         self.card("NODE FILE", {"FREQUENCY": frequency})
 
+    def el_file(self, *quantities: str) -> None:
+        """Write fields of elements that are there on request only: SFN, SE, SK, E11 or S11 (all of them for any)."""
+        self.card("EL FILE", {}, [list(quantities)])
+
     def restart(self, frequency: int = 1) -> None:
         """Keep every n-th increment for a restart."""
         self.card("RESTART", {"WRITE": True, "FREQUENCY": frequency})

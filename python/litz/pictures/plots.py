@@ -18,7 +18,7 @@ from ..base.notebook import Picture
 from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
-from . import charts, friction_charts, network_chart, surface_charts, zone_charts
+from . import cable_charts, charts, friction_charts, network_chart, surface_charts, zone_charts
 from .scene import VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, line_colours, render
 
@@ -61,6 +61,7 @@ class Look:
     reference: bool = True
     view: tuple[float, float, float] | str | None = None
     wire: int | None = None
+    place: float = 0.5
 
     def __post_init__(self) -> None:
         """Check the arguments."""
@@ -68,6 +69,8 @@ class Look:
             raise ValueError(f'spots may be "current", "force" or "none", not {self.spots!r}')
         if isinstance(self.view, str) and self.view not in VIEWS:
             raise ValueError(unknown_name("view", self.view, VIEWS))
+        if not 0 <= self.place <= 1:
+            raise ValueError(f"place is from 0 to 1 along the cable, not {self.place:g}")
 
     @property
     def direction(self) -> tuple[float, float, float] | None:
@@ -92,6 +95,7 @@ def plot(
     view: tuple[float, float, float] | str | None = None,
     size: tuple[int, int] | None = None,
     wire: int | None = None,
+    place: float = 0.5,
 ) -> Picture:
     """Draw results into a picture file.
 
@@ -107,6 +111,8 @@ def plot(
         - "contacts": number, forces, spots and heat of the contacts over time
         - "lines": force, current and heat per length of line contact, along the wires
         - "currents": current of each wire, and along each wire
+        - "shares": share of each wire in the current along a cable, and contact force per length
+        - "section": cross-section of a cable, coloured by the currents or by `field`, with the contacts near it
         - "network": wires as dots, the contacts between them as lines, as thick as their current
         - "friction": friction force over sliding, and the heat of friction over time
         - "surfaces": force on each rigid surface over time, and of each element on them
@@ -133,6 +139,8 @@ def plot(
     wire : int, optional
         For "lines": the wire, counted from 0, whose zones are drawn over its arc length; default: all zones, each over the
         arc length of its first wire.
+    place : float
+        For "section": the place along the cable, from 0 to 1.
 
     Returns
     -------
@@ -141,7 +149,7 @@ def plot(
     """
     if kind not in _KINDS:
         raise ValueError(unknown_name("kind of plot", kind, _KINDS))
-    look = Look(field, scale, spots, reference, view, wire)
+    look = Look(field, scale, spots, reference, view, wire, place)
     results = with_increments(results)
     if wire is not None and not 0 <= wire < len(results.wires):
         raise ValueError(f"there is no wire {wire}: there are {len(results.wires)}, counted from 0")
@@ -302,6 +310,11 @@ def _lines(figure: Figure, results: Results, increment: int, look: Look) -> None
     zone_charts.lines(figure, results, increment, look.wire)
 
 
+def _section(figure: Figure, results: Results, increment: int, look: Look) -> None:
+    figure.set_layout_engine("constrained")
+    cable_charts.section(figure, results, increment, look.field, look.place)
+
+
 def _overview(figure: Figure, results: Results, increment: int, look: Look) -> None:
     _still(figure, results, increment, look, (0.01, 0.115, 0.61, 0.79))
     figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
@@ -355,6 +368,8 @@ _KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[floa
     "contacts": _chart(_contacts, (10.0, 7.0)),
     "lines": (_lines, (9.0, 4.0)),
     "currents": _chart(charts.currents, (10.0, 7.0)),
+    "shares": _chart(cable_charts.shares, (9.0, 6.5)),
+    "section": (_section, (8.0, 7.0)),
     "network": _chart(network_chart.network, (9.0, 7.0)),
     "friction": _chart(friction_charts.friction, (8.0, 7.0)),
     "surfaces": _chart(surface_charts.surfaces, (8.0, 7.0)),

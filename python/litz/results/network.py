@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
-from xml.etree import ElementTree
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from ..base.packages import optional
 from ..base.table import Table
 from .contact_places import ContactPlaces, contact_places, rows_of
 from .contact_zones import contact_zones, stretch_along
+from .graphml import write_graphml
 from .result_file import ResultFile
 
 if TYPE_CHECKING:
@@ -164,35 +164,21 @@ class ContactNetwork:
         Several contacts of the same two wires are parallel edges.
         """
         of_wire = {
-            "first_element": (self.first_element, "long"),
-            "length_m": (self.wire_length, "double"),
-            "potential_V": (self.wire_potential, "double"),
-            "current_A": (self.wire_current, "double"),
+            "first_element": self.first_element,
+            "length_m": self.wire_length,
+            "potential_V": self.wire_potential,
+            "current_A": self.wire_current,
         }
         of_contact = {
-            "arc_1_m": (self.arc[:, 0], "double"),
-            "arc_2_m": (self.arc[:, 1], "double"),
-            **{f"{axis}_m": (self.point[:, i], "double") for i, axis in enumerate("xyz")},
-            "length_m": (self.length, "double"),
-            **{f"{name}_{unit}": (getattr(self, name), "double") for name, unit in _OF_CONTACT.items()},
+            "arc_1_m": self.arc[:, 0],
+            "arc_2_m": self.arc[:, 1],
+            **{f"{axis}_m": self.point[:, i] for i, axis in enumerate("xyz")},
+            "length_m": self.length,
+            **{f"{name}_{unit}": getattr(self, name) for name, unit in _OF_CONTACT.items()},
         }
-        root = ElementTree.Element("graphml", xmlns="http://graphml.graphdrawing.org/xmlns")
-        for what, columns in (("node", of_wire), ("edge", of_contact)):
-            for name, (_, kind) in columns.items():
-                key = {"id": f"{what}_{name}", "for": what, "attr.name": name, "attr.type": kind}
-                ElementTree.SubElement(root, "key", key)
-        graph = ElementTree.SubElement(root, "graph", id="contacts", edgedefault="undirected")
-        for wire in range(len(self.wire_length)):
-            node = ElementTree.SubElement(graph, "node", id=f"wire{wire + 1}")
-            _add_data(node, "node", of_wire, wire)
-        for row, (contact, pair) in enumerate(zip(self.id, self.wires + 1, strict=True)):
-            source, target = (f"wire{wire}" for wire in pair)
-            edge = ElementTree.SubElement(graph, "edge", id=f"contact{contact}", source=source, target=target)
-            _add_data(edge, "edge", of_contact, row)
-        path = Path(path)
-        ElementTree.indent(root)
-        ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
-        return path
+        names = [f"wire{wire + 1}" for wire in range(len(self.wire_length))]
+        edges = [f"contact{contact}" for contact in self.id]
+        return write_graphml(path, "contacts", names, of_wire, self.wires, of_contact, edges)
 
 
 def contact_network(results: ResultFile, increment: int, *, every_place: bool = False) -> ContactNetwork:
@@ -307,10 +293,3 @@ def conductance(results: ResultFile, plus: str, minus: str, increment: int) -> f
     if voltage == 0:
         raise ValueError(f"there is no voltage between {plus} and {minus}, so there is no conductance")
     return float(entering[rows[0]].sum() / voltage)
-
-
-def _add_data(parent: ElementTree.Element, what: str, columns: dict, row: int) -> None:
-    for name, (values, _) in columns.items():
-        # as Java, Python and C read it
-        text = repr(values[row].item()).replace("inf", "Infinity")
-        ElementTree.SubElement(parent, "data", key=f"{what}_{name}").text = text

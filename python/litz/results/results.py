@@ -1,12 +1,14 @@
 """The results of a run as numpy arrays."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from ..base.names import unknown_name
 from ..base.table import Table
-from . import exports, network, summary
+from . import along_cable, exports, interstrand, network, summary
+from .circuit import Circuit, build_circuit
 from .contact_places import ContactPlaces, contact_places
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
@@ -82,6 +84,121 @@ class Results(ResultFile):
             Each place of a line contact is a contact of its own, as in the ledger; else a zone of line contact is one.
         """
         return network.contact_network(self, increment, every_place=every_place)
+
+    def interstrand_resistance(
+        self,
+        increment: int = -1,
+        *,
+        at: float = 0.0,
+        superconducting: bool | None = None,
+        bundles: Sequence[str] | Mapping[str, Sequence[int]] | None = None,
+    ) -> interstrand.InterstrandResistance:
+        """Resistance between any two wires, from a circuit of all contacts and of the metal between them; needs SciPy.
+
+        It is what a measurement would give whose current enters one wire and leaves another, at the contacts, temperatures and
+        resistivities of this increment. Terminals, potentials and equations of the deck take no part.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+        at : float
+            Where the current enters the wires: 0 at their first nodes, 1 at the last ones, 0.5 in the middle.
+        superconducting : bool, optional
+            Which wires have no resistance along them: None those with superconducting filaments, at currents below the
+            critical one; True all; False none.
+        bundles : sequence of str or dict, optional
+            Element sets that are bundles of wires, or the wires (counted from 0) of each by name, for the stage of each pair.
+            Default: those that `litz.build.cable` makes.
+
+        Returns
+        -------
+        InterstrandResistance
+            `matrix` [ohm], `table()`, `stages()` with means within and between the stages, `between("BUNDLE1", "BUNDLE2")`.
+
+        Examples
+        --------
+        >>> found = results.interstrand_resistance()                                    # doctest: +SKIP
+        >>> found.matrix[0, 1]                                                          # doctest: +SKIP
+        """
+        return interstrand.interstrand_resistance(
+            self, increment, at=at, superconducting=superconducting, bundles=bundles
+        )
+
+    def redistribution_lengths(self, increment: int = -1, *, superconducting: bool | None = None) -> np.ndarray:
+        """Lengths along the wires over which unequal currents even out, the longest first, (n_wires - 1) [m]; needs SciPy.
+
+        Differences between the currents of n wires that conduct into each other all along decay with exp(-x/l) in n - 1
+        modes: 1/l^2 are the eigenvalues of resistance times conductance per length, those of the whole model taken as spread
+        evenly. Two wires: 1/l^2 = (r_1 + r_2) g. Infinite where wires do not touch or have no resistance.
+
+        Parameters
+        ----------
+        increment, superconducting
+            As those of `interstrand_resistance`.
+        """
+        return interstrand.redistribution_lengths(self, increment, superconducting=superconducting)
+
+    def circuit(self, increment: int = -1, *, superconducting: bool | None = None) -> Circuit:
+        """Pieces of wire and all places of contacts as resistances between points, for programs that solve circuits.
+
+        `to_csv`, `to_graphml` and `to_networkx` write it. Parameters as those of `interstrand_resistance`.
+        """
+        return build_circuit(self, increment, superconducting=superconducting)[0]
+
+    def current_shares(self, increment: int = -1, count: int = 201) -> along_cable.CurrentShares:
+        """Currents of all wires at places along a cable, and their shares of the whole.
+
+        The axis of the cable leads from one end of the wires to the other; between the nodes of a wire its current is taken as
+        linear.
+
+        Parameters
+        ----------
+        increment : int
+            Index of the increment.
+        count : int
+            Number of places, evenly from one end to the other, as far as all wires reach.
+
+        Returns
+        -------
+        CurrentShares
+            `place` (m) [m]; `current` (n_wires, m) [A] and `share`, in the order of `wires`; `total` (m) [A].
+        """
+        return along_cable.current_shares(self, increment, count)
+
+    def along_cable(self, increment: int = -1, count: int = 20) -> Table:
+        """Contact forces, conductances and heat per length of a cable: a row for each of `count` slices across it.
+
+        Returns
+        -------
+        Table
+            `place`: middle of the slice along the axis; `force_per_length`, `conductance_per_length`,
+            `contact_heat_per_length`: sums of all contacts between wires in it over its thickness; `wire_heat_per_length`.
+        """
+        return along_cable.along_cable(self, increment, count)
+
+    def wire_heat(self, increment: int = -1) -> Table:
+        """Joule heat of each wire: a row for each, in the order of `wires`.
+
+        Returns
+        -------
+        Table
+            `wire`, counted from 0; `length`; `along`: heat of the currents along the wire; `contacts`: half of the heat of
+            each of its contacts; `total`, and `per_length`.
+        """
+        return along_cable.wire_heat(self, increment)
+
+    def along_wires(self, increment: int = -1) -> Table:
+        """Results of the elements along the wires: a row for each element, in the order of wires and along each.
+
+        Returns
+        -------
+        Table
+            `wire`, counted from 0; `element`: its number in the deck; `arc`: middle of the element along the wire before
+            deformation; `x`, `y`, `z` after it; and all scalar fields of elements, such as `axial_strain`, `strain_max`
+            and `strain_min` where a step asks for them; currents count along the wire.
+        """
+        return along_cable.along_wires(self, increment)
 
     def contact_zones(self, increment: int = -1) -> Table:
         """Contact along lines at an increment: a row for each zone, a stretch of two wires that touch without a break.
