@@ -41,7 +41,7 @@ contains
             write (line, '(a, i0, a, i0, a, f6.2, a, es11.3, a)') '  elements ', model%element_id(point%element_bar), &
                ' and ', model%element_id(point%element), ': crossing angle ', &
                min(point%kinematics%angle, pi - point%kinematics%angle)*180/pi, ' degrees, gap ', point%gap, &
-               ' '//trim(model%units%length)
+               model%units%after('m')
             report = report//trim(line)//new_line('a')
          end associate
       end do

@@ -17,6 +17,7 @@ from .fibre_mats import fibre_mat
 
 #: What a card is for, before the first of its kind; "STEP ..." for those in a step
 _NOTES = {
+    "UNITS": "units that results are labelled with; without it they have none",
     "NODE": "nodes: number, x, y, z [m]; NSET collects them in a node set",
     "ELEMENT": "beam elements between two nodes; ELSET collects them in an element set",
     "ELSET": "element sets of other sets",
@@ -141,7 +142,7 @@ def _fuse() -> Model:
         specific_heat=385.0,
         latent_heat=(205e3, melting, melting + 1),
     )
-    model = Model("A copper wire that a current of 60 A heats until it melts")
+    model = Model("A copper wire that a current of 60 A heats until it melts", units="SI")
     model.comments = ["The resistivity of copper rises with the temperature by 0.393 % of that at 293.15 K per kelvin."]
     fuse = model.wire("FUSE", (-10e-3, 0, 0), (10e-3, 0, 0), radius=0.1e-3, material=copper, elements=20)
     model.fix(fuse.start)
