@@ -966,7 +966,10 @@ def test_a_conductor_that_only_contacts_connect(litz, tmp_path):
     (tmp_path / "deck.inp").write_text(deck)
     checked = litz("check", tmp_path / "deck.inp")
     assert checked.returncode == 0
-    assert "the conductor UPPER (element 2) has no prescribed potential; only contacts can connect it to one" in checked.stdout
+    assert (
+        "the conductor UPPER (element 2) has no prescribed potential; only contacts can connect it to one"
+        in checked.stdout
+    )
     assert "warning" not in checked.stderr
 
 

@@ -66,7 +66,9 @@ def test_a_deck_may_say_that_it_is_in_si(run, card):
 
 
 #: A unit in brackets or behind a number; angles have theirs in any system
-UNIT = re.compile(r"\[(?!rad\])[^\]\n]*\]|\d (?:mm|[munpkMGµ]?(?:m|N|Nm|N·m|s|V|A|W|J|S|K|Pa|ohm|Ω)(?:[/²^·]\S+)?)(?![\w.])")
+UNIT = re.compile(
+    r"\[(?!rad\])[^\]\n]*\]|\d (?:mm|[munpkMGµ]?(?:m|N|Nm|N·m|s|V|A|W|J|S|K|Pa|ohm|Ω)(?:[/²^·]\S+)?)(?![\w.])"
+)
 
 
 def test_without_labels_tables_and_messages_have_no_units(two_runs, litz, tmp_path):
@@ -106,7 +108,9 @@ def test_without_labels_pictures_and_the_report_have_no_units(two_runs, monkeypa
     figures = []
     savefig = matplotlib.figure.Figure.savefig
     monkeypatch.setattr(
-        matplotlib.figure.Figure, "savefig", lambda self, *rest, **more: (figures.append(self), savefig(self, *rest, **more))
+        matplotlib.figure.Figure,
+        "savefig",
+        lambda self, *rest, **more: (figures.append(self), savefig(self, *rest, **more)),
     )
     for results, has_units in ((plain, False), (labelled, True)):
         figures.clear()
@@ -189,7 +193,7 @@ def test_a_model_in_python_is_in_si_if_it_or_a_material_says_so(units, material,
 def test_copper_in_si_is_refused_in_a_model_in_millimetres():
     model = litz.Model("labels", units={"length": "mm"})
     model.wire("A", (0, 0, 0), (1, 0, 0), elements=2, radius=1.0, material=litz.COPPER)
-    with pytest.raises(ValueError, match="COPPER is in SI, and the model has LENGTH=mm: give a litz.Material"):
+    with pytest.raises(ValueError, match=r"COPPER is in SI, and the model has LENGTH=mm: give a litz\.Material"):
         model.to_deck()
     with pytest.raises(ValueError, match='units of a material must be "SI" or None'):
         litz.Material("OWN", 1.0, 0.3, units="cgs")

@@ -83,7 +83,9 @@ def wire_grid(
             fixed = [dof for dof in (1, 2, 4, 5, 6) if dof != along or which == "STARTS"]
             model.fix(f"{name}_{which}", *fixed)
             model.guides[f"{name}_{which}"] = 1.0 if name == "UPPER" else 0.0
-        inner = [node for wire in model.groups[name].wires for node in wire.nodes[elements_per_pitch:-1:elements_per_pitch]]
+        inner = [
+            node for wire in model.groups[name].wires for node in wire.nodes[elements_per_pitch:-1:elements_per_pitch]
+        ]
         if supports == "between" and inner:
             model.guides[model.node_set(f"{name}_BETWEEN", inner).name] = 1.0 if name == "UPPER" else 0.0
     model.node_set("PLUS", "UPPER_STARTS")

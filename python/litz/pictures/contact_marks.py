@@ -147,9 +147,10 @@ class ContactMarks:
         notes = []
         if discs:
             factor, unit = engineering(np.array([self._largest]), self._crossings[increment].units[self._by])
+            largest = with_unit(f"{self._largest * factor:.3g}", unit)
             notes.append(
                 f"{discs} contact{'s' if discs > 1 else ''}: disc area proportional to {self._by},\n"
-                f"maximum {with_unit(f'{self._largest * factor:.3g}', unit)}" + (f" ({hidden} without {self._by})" if hidden else "")
+                f"maximum {largest}" + (f" ({hidden} without {self._by})" if hidden else "")
             )
         if zones:
             notes.append(f"{zones} zone{'s' if zones > 1 else ''} of line contact, with dots at the ends")

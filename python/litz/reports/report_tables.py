@@ -47,11 +47,7 @@ def verdict(results: Results) -> str:
     work = f"{n} increment{'s' * (n != 1)}, {int(status['iterations'].sum())} iterations"
     if results.finished:
         return f'<p class="verdict">The run finished at time {time}: {work}.</p>'
-    where = (
-        f"the last increment that converged is at time {time}"
-        if n
-        else "no increment has converged"
-    )
+    where = f"the last increment that converged is at time {time}" if n else "no increment has converged"
     return f'<p class="verdict bad">The run did not finish (or still runs): {where}; {work}.</p>'
 
 

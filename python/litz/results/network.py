@@ -109,7 +109,13 @@ class ContactNetwork:
         places |= {axis: self.point[:, i] for i, axis in enumerate("xyz")} | {"length": self.length}
         columns = {"id": self.id, "wire_1": self.wires[:, 0], "wire_2": self.wires[:, 1], **places}
         columns |= {name: getattr(self, name) for name in _OF_CONTACT}
-        units = {"id": "", "wire_1": "", "wire_2": "", **dict.fromkeys(places, self.units["m"]), **self._units_of_contact()}
+        units = {
+            "id": "",
+            "wire_1": "",
+            "wire_2": "",
+            **dict.fromkeys(places, self.units["m"]),
+            **self._units_of_contact(),
+        }
         return Table(columns, units)
 
     def to_pandas(self) -> "pd.DataFrame":

@@ -67,8 +67,9 @@ def _last_increment(results: ResultFile) -> str:
     places = contact_places(results, contacts)
     zones = contact_zones(places, unit)
     heat_wires, heat_contacts = results.field("joule_heat").sum(), contacts["joule_heat"].sum()
+    time = with_unit(f"{results.times[-1]:g}", unit["s"])
     lines = [
-        f"at time {with_unit(f'{results.times[-1]:g}', unit['s'])} (step {results.steps[-1]}, increment {results.increments[-1]}):",
+        f"at time {time} (step {results.steps[-1]}, increment {results.increments[-1]}):",
         f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit),
