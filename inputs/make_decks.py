@@ -261,7 +261,7 @@ def overhand(t: float) -> list[float]:
 def heated_mat() -> build.Model:
     """A mat of nichrome fibres between two electrodes, that its current heats."""
     nichrome = Material(
-        "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6
+        "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6, units="SI"
     )
     model = build.fibre_mat(
         (10e-3, 10e-3),
