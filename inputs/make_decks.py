@@ -125,7 +125,7 @@ def move_clamp(model: build.Model, **steps: dict[str, float]) -> None:
 def lap_joint() -> Model:
     """Two wires side by side, pressed together by jaws over 20 mm; the current passes from one into the other."""
     radius, lap, free = 0.5e-3, 20e-3, 10e-3
-    model = Model("Two copper wires lapped and pressed together by jaws")
+    model = Model("Two copper wires lapped and pressed together by jaws", units="SI")
     model.comments = """\
 Model    Two copper wires of 0.5 mm radius lie side by side over 20 mm. Each goes on for 10 mm, in opposite directions.
          Over the lap they are held by two rigid jaws; one is fixed, the other one presses by up to 0.4 micrometres.
@@ -168,7 +168,7 @@ Expect   Between wires that touch all over the lap the current passes mostly nea
 def rod_over_drum() -> build.Model:
     """A steel rod hangs over a rigid drum by two weights, and one end is drawn down."""
     radius, on_drum, tension = 0.5e-3, 50e-3, 19.6349540849
-    model = build.Model("A rod with bending stiffness is drawn over a rigid drum")
+    model = build.Model("A rod with bending stiffness is drawn over a rigid drum", units="SI")
     model.comments = """\
 Model    A straight steel rod of 0.5 mm radius is laid on a rigid drum, hung over it by a weight of 5 B/R^2 = 19.635 N at either
          end, where R = 50 mm is the radius of its axis on the drum and B its bending stiffness, and then drawn down by
@@ -214,7 +214,7 @@ Expect   tension of the drawn end [N] and moment on the drum about its axis [N m
 def knot() -> litz.Model:
     """A wire with an overhand knot is pulled tight, with a current."""
     radius, pull = 0.25e-3, 14e-3
-    model = litz.Model("A knot in a wire is pulled tight")
+    model = litz.Model("A knot in a wire is pulled tight", units="SI")
     model.comments = """\
 Model    A wire of nitinol, 0.5 mm thick and 87 mm long, that has the shape of a loose overhand knot without stress: 3 mm times
          (t^3 - 3t, t^4/2 - 2t^2, 1.2 sin 3t), with round and then straight ends along x. The ends are led apart by 14 mm
@@ -261,7 +261,7 @@ def overhand(t: float) -> list[float]:
 def heated_mat() -> build.Model:
     """A mat of nichrome fibres between two electrodes, that its current heats."""
     nichrome = Material(
-        "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6
+        "NICHROME", young=220e9, poisson=0.3, conductivity=0.9e6, thermal_conductivity=11.3, expansion=14e-6, units="SI"
     )
     model = build.fibre_mat(
         (10e-3, 10e-3),
@@ -311,7 +311,7 @@ def wiper() -> Model:
         specific_heat=380.0,
         expansion=18e-6,
     )
-    model = Model("A wiper slides along a track with a current")
+    model = Model("A wiper slides along a track with a current", units="SI")
     track = model.wire("TRACK", (0, 0, 0), (track_length, 0, 0), radius=radius, material=bronze, elements=80)
     at = 10.3e-3
     arm = model.wire(

@@ -31,7 +31,7 @@ module litz_run_warnings
       real(dp) :: first_time = 0, last_time = 0
       !> Number of increments that have it, the start counted as one
       integer :: count = 1
-      !> The worst value so far, and its unit; without a unit there is no value
+      !> The worst value so far, and its unit, `-` if it has no name; without a unit there is no value
       real(dp) :: worst = 0
       character(len=:), allocatable :: unit
       !> It stands for all elements of its kind that have no entry
@@ -82,7 +82,7 @@ contains
       integer, intent(in), optional :: elements(:)
       !> How bad it is
       real(dp), intent(in), optional :: value
-      !> Unit of `value`, such as `degrees`
+      !> Unit of `value`, such as `degrees`; empty: one that the deck does not name
       character(len=*), intent(in), optional :: unit
       !> .true.: of repeated warnings the smallest value is kept, not the largest
       logical, intent(in), optional :: smaller_is_worse
@@ -99,7 +99,10 @@ contains
       new%last_time = self%time
       if (present(value)) new%worst = value
       new%unit = ''
-      if (present(unit)) new%unit = unit
+      if (present(unit)) then
+         new%unit = unit
+         if (len_trim(unit) == 0) new%unit = '-'
+      end if
       downwards = .false.
       if (present(smaller_is_worse)) downwards = smaller_is_worse
       call find_entry(self, new, i)
@@ -202,7 +205,10 @@ contains
       if (self%count == 1) return
       text = text//' ('//plural(self%count, 'increment')//', '//describe_place(self%first)//' to '// &
          describe_place(self%last)
-      if (len(self%unit) > 0) text = text//', worst '//to_text(self%worst)//' '//self%unit
+      if (len(self%unit) > 0) then
+         text = text//', worst '//to_text(self%worst)
+         if (self%unit /= '-') text = text//' '//self%unit
+      end if
       text = text//')'
    end function warning_text
 

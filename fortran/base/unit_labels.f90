@@ -1,5 +1,6 @@
 !> The labels of the units that a deck is in. litz computes with numbers of one consistent system and converts nothing;
-!> labels stand in the heads of tables, in result files and in messages.
+!> labels stand in the heads of tables, in result files and in messages. A deck that does not say what its units are has
+!> none there.
 module litz_unit_labels
    implicit none
    private
@@ -8,17 +9,41 @@ module litz_unit_labels
    !> Longest label
    integer, parameter, public :: unit_length = 12
 
+   !> Blank: the deck does not name its units
    type :: unit_labels_t
-      character(len=unit_length) :: length = 'm', force = 'N', time = 's', current = 'A', voltage = 'V', &
-         temperature = 'K'
+      character(len=unit_length) :: length = '', force = '', time = '', current = '', voltage = '', temperature = ''
    contains
+      procedure :: are_named
       procedure :: label
+      procedure :: after
       procedure :: in_header
    end type unit_labels_t
 
+   !> Those of a deck in SI, and of quantities that a deck with other labels does not name
+   type(unit_labels_t), parameter, public :: si_labels = unit_labels_t('m', 'N', 's', 'A', 'V', 'K')
+   !> Units of any system: of angles, and of numbers
+   character(len=3), parameter :: always(3) = [character(len=3) :: 'rad', '1', '-']
+
 contains
 
-   !> The label of a unit that is written in SI: `N m` is `mN mm` where the labels are mN and mm.
+   pure logical function are_named(self)
+      class(unit_labels_t), intent(in) :: self
+
+      are_named = len_trim(self%length) > 0
+   end function are_named
+
+   !> What follows a number: a blank and its label, or nothing.
+   pure function after(self, unit) result(text)
+      class(unit_labels_t), intent(in) :: self
+      !> Unit in SI
+      character(len=*), intent(in) :: unit
+      character(len=:), allocatable :: text
+
+      text = self%label(unit)
+      if (len(text) > 0) text = ' '//text
+   end function after
+
+   !> The label of a unit that is written in SI: `N m` is `mN mm` where the labels are mN and mm; empty without labels.
    pure function label(self, unit) result(text)
       class(unit_labels_t), intent(in) :: self
       !> Unit in SI, symbols joined by blanks, `/`, `^` and digits: `N m`, `A/mm^2`
@@ -27,6 +52,8 @@ contains
       integer :: first, i
 
       text = ''
+      if (any(unit == always)) text = trim(unit)
+      if (len(text) > 0 .or. .not. self%are_named()) return
       first = 1
       do i = 1, len(unit) + 1
          if (i <= len(unit)) then
@@ -84,8 +111,8 @@ contains
       end select
    end function symbol
 
-   !> The head of a table with the labels between its brackets. Blanks before a name give way to a longer label, so that
-   !> columns keep their place.
+   !> The head of a table with the labels between its brackets, or without brackets where there is none. Blanks before a
+   !> name give way to a longer label and fill up for a shorter one, so that columns keep their place.
    pure function in_header(self, header) result(text)
       class(unit_labels_t), intent(in) :: self
       !> Heads of columns, with units in SI between brackets
@@ -101,13 +128,19 @@ contains
          right = index(header(left:), ']') + left - 1
          if (right < left) exit
          new = self%label(header(left + 1:right - 1))
-         text = text//header(at:left)
-         grown = len(new) - (right - left - 1)
-         cell = index(text, '  ', back=.true.)
+         grown = -len(text)
+         text = text//header(at:left - 1)
+         if (len(new) > 0) then
+            text = text//'['//new//']'
+         else
+            text = trim(text)
+         end if
+         grown = grown + len(text) - (right - at + 1)
+         cell = index(text(:len(text) - len(new)), '  ', back=.true.)
+         if (cell > 0 .and. grown < 0) text = text(:cell)//repeat(' ', -grown)//text(cell + 1:)
          if (cell > grown .and. grown > 0) then
             if (len_trim(text(cell - grown:cell)) == 0) text = text(:cell - grown)//text(cell + 1:)
          end if
-         text = text//new//']'
          at = right + 1
       end do
       text = text//header(at:)

@@ -146,7 +146,7 @@ contains
          text = 'The '//trim(self%law_title)//' is valid for smaller overlaps: the force is too large for these wires. '
          if (self%penalty > 0) text = 'The contact force there requires a penalty of at least '// &
             to_text(self%penalty)// &
-            ' '//model%units%label(trim(self%unit))//' (*SURFACE BEHAVIOR). '
+            model%units%after(trim(self%unit))//' (*SURFACE BEHAVIOR). '
       case (finding_second)
          text = 'Each pair of elements can have four contacts: use shorter elements. '
       case (finding_joined)

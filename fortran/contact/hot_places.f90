@@ -29,7 +29,7 @@ contains
             most = above
             words = 'the spot of elements '//to_text(domain%model%element_id(points(i)%element_bar))//' and '// &
                to_text(domain%model%element_id(points(i)%element))//' would be at '// &
-               to_text(points(i)%temperature_max)//' '//domain%model%units%label('K')//' and melt (TMELT='// &
+               to_text(points(i)%temperature_max)//domain%model%units%after('K')//' and melt (TMELT='// &
                to_text(law%melting)//' of *GAP CONDUCTANCE; MELTING=WARN lets it)'
          end associate
       end do
@@ -60,7 +60,7 @@ contains
                   most = above
                   words = 'the temperature in element '//to_text(model%element_id(element(side)))// &
                      ' where it touches element '//to_text(model%element_id(element(3 - side)))//' would be '// &
-                     to_text(temperature(side))//' '//model%units%label('K')// &
+                     to_text(temperature(side))//model%units%after('K')// &
                      ', where the table of *ELECTRICAL CONDUCTIVITY ends at '//to_text(table(1, size(table, 2)))
                end associate
             end associate
@@ -88,8 +88,8 @@ contains
                if (.not. above > most) cycle
                most = above
                words = 'the spot of elements '//to_text(domain%model%element_id(element(1)))//' and '// &
-                  to_text(domain%model%element_id(element(2)))//' would be at '//to_text(hottest)//' '// &
-                  domain%model%units%label('K')//', where the table of *ELECTRICAL CONDUCTIVITY ends at '// &
+                  to_text(domain%model%element_id(element(2)))//' would be at '//to_text(hottest)// &
+                  domain%model%units%after('K')//', where the table of *ELECTRICAL CONDUCTIVITY ends at '// &
                   to_text(table(1, size(table, 2)))
             end associate
          end do

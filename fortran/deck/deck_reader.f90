@@ -22,7 +22,7 @@ module litz_deck_reader
    use litz_read_steps, only: read_steps
    use litz_read_surfaces, only: read_surfaces
    use litz_model_checks, only: finding_t, check_connections
-   use litz_unit_labels, only: unit_length
+   use litz_unit_labels, only: unit_length, si_labels
    implicit none
    private
    public :: read_deck
@@ -161,7 +161,8 @@ contains
       end do
    end subroutine read_constants
 
-   !> *UNITS: labels, which go into heads of tables, where blanks and brackets mean something.
+   !> *UNITS: labels, which go into heads of tables, where blanks and brackets mean something; those of SI where it is
+   !> said to be the system, or for what has no label.
    subroutine read_units(self, model)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(inout) :: model
@@ -173,6 +174,7 @@ contains
          if (keyword_of(self, card) /= 'UNITS') cycle
          if (found) call fail_at(self, self%deck%cards(card)%name, 'the deck has two *UNITS')
          found = .true.
+         model%units = si_labels
          call read_label(self, card, 'LENGTH', model%units%length)
          call read_label(self, card, 'FORCE', model%units%force)
          call read_label(self, card, 'TIME', model%units%time)

@@ -32,8 +32,9 @@ contains
 
       call begin(k, 'UNITS', place_model, &
          'Labels for the units of the deck, for table headings, result files, pictures and messages (litz'// &
-         ' extension). Nothing is converted; the units must be consistent (the unit of moments is force times'// &
-         ' length, that of resistance voltage over current).')
+         ' extension). A deck without it has no units there. Nothing is converted; the units must be consistent'// &
+         ' (the unit of moments is force times length, that of resistance voltage over current).')
+      call k%add(choice('SYSTEM', 'SI', 'labels of SI, apart from those that are given; default SI'))
       call k%add(name('LENGTH', 'label of the unit of length, such as mm; default m'))
       call k%add(name('FORCE', 'label of the unit of force; default N'))
       call k%add(name('TIME', 'label of the unit of time; default s'))

@@ -9,7 +9,7 @@ module litz_model_checks
    use litz_text, only: to_text
    implicit none
    private
-   public :: finding_t, check_connections
+   public :: finding_t, check_connections, conductors_by_contact
 
    type :: finding_t
       character(len=:), allocatable :: message
@@ -25,6 +25,7 @@ contains
       !> Without errors of its own
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(out) :: findings(:)
+      character(len=:), allocatable :: by_contact
       integer :: n
 
       allocate (findings(16))
@@ -35,7 +36,7 @@ contains
          return
       end if
       call check_beams(model, findings, n)
-      call check_conductors(model, findings, n)
+      call check_conductors(model, findings, n, by_contact)
       findings = findings(:n)
    end subroutine check_connections
 
@@ -326,17 +327,34 @@ contains
 
    end function parts_in_contact
 
-   !> Every connected conductor needs a prescribed potential. Where contacts may lead to one, this is a warning.
-   subroutine check_conductors(model, findings, n)
+   !> The conductors whose potential only contacts can give, as in any network of wires: a line, or nothing.
+   function conductors_by_contact(model) result(line)
+      !> Without errors of its own
+      type(model_t), intent(in) :: model
+      character(len=:), allocatable :: line
+      type(finding_t), allocatable :: findings(:)
+      integer :: n
+
+      allocate (findings(16))
+      n = 0
+      call check_conductors(model, findings, n, line)
+      if (len(line) > 0) line = line//new_line('a')
+   end function conductors_by_contact
+
+   !> Every connected conductor needs a prescribed potential, or contacts that may lead to one.
+   subroutine check_conductors(model, findings, n, by_contact)
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(inout) :: findings(:)
       !> Number of findings so far
       integer, intent(inout) :: n
+      !> Those that contacts may lead to one, in words; empty: none
+      character(len=:), allocatable, intent(out) :: by_contact
       type(parts_t) :: parts
       logical, allocatable :: included(:), reported(:), held(:), group_held(:)
       integer, allocatable :: group(:)
       integer :: e, step, part, i, n_alike, first_alike
 
+      by_contact = ''
       allocate (included(model%n_elements))
       do e = 1, model%n_elements
          included(e) = model%materials(model%sections(model%element_section(e))%material)%conductivity > 0
@@ -372,9 +390,9 @@ contains
                reported = reported .or. group == group(part)
             end if
          end do
-         if (n_alike > 0) call add(findings, n, describe_conductor(model, parts, first_alike)// &
+         if (n_alike > 0 .and. len(by_contact) == 0) by_contact = describe_conductor(model, parts, first_alike)// &
             ' has no prescribed potential'//describe_step(step)//'; only contacts can connect it to one'// &
-            describe_others(n_alike - 1), parts%first_element(first_alike), 'potential_by_contact')
+            describe_others(n_alike - 1)
          deallocate (held, group_held)
       end do
    end subroutine check_conductors

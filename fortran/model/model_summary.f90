@@ -80,14 +80,14 @@ contains
          character(len=:), allocatable :: line
 
          associate (this => model%materials(m))
-            line = 'material '//this%name//': E = '//to_text(this%young)//' '//model%units%label('Pa')// &
+            line = 'material '//this%name//': E = '//to_text(this%young)//model%units%after('Pa')// &
                ', nu = '//to_text(this%poisson)
-            if (allocated(this%elastic_table)) line = line//' at '//to_text(this%elastic_table(1, 1))//' '// &
-               trim(model%units%temperature)//', over '//plural(size(this%elastic_table, 2), 'temperature')
-            if (allocated(this%expansion_table)) line = line//', alpha = '//to_text(this%expansion_table(2, 1))//' '// &
-               model%units%label('1/K')
+            if (allocated(this%elastic_table)) line = line//' at '//to_text(this%elastic_table(1, 1))// &
+               model%units%after('K')//', over '//plural(size(this%elastic_table, 2), 'temperature')
+            if (allocated(this%expansion_table)) line = line//', alpha = '//to_text(this%expansion_table(2, 1))// &
+               model%units%after('1/K')
             if (this%conductivity > 0) then
-               line = line//', sigma = '//to_text(this%conductivity)//' '//model%units%label('S/m')// &
+               line = line//', sigma = '//to_text(this%conductivity)//model%units%after('S/m')// &
                   of_table(size(this%resistivity, 2), this%resistivity(1, 1))
             else
                line = line//', insulator'
@@ -95,10 +95,10 @@ contains
             if (allocated(this%superconductor)) line = line//', superconductor in '// &
                to_text(100*this%superconductor%fraction)//' %, n = '//to_text(this%superconductor%exponent)
             if (allocated(this%heat_conductivity)) line = line//', lambda = '// &
-               to_text(this%heat_conductivity(2, 1))//' '//model%units%label('W/(m K)')// &
+               to_text(this%heat_conductivity(2, 1))//model%units%after('W/(m K)')// &
                of_table(size(this%heat_conductivity, 2), this%heat_conductivity(1, 1))
             if (this%density > 0 .and. allocated(this%specific_heat)) line = line//', rho c = '// &
-               to_text(this%density*this%specific_heat(2, 1))//' '//model%units%label('J/(m^3 K)')// &
+               to_text(this%density*this%specific_heat(2, 1))//model%units%after('J/(m^3 K)')// &
                of_table(size(this%specific_heat, 2), this%specific_heat(1, 1))
             line = line//nl
          end associate
@@ -113,7 +113,7 @@ contains
          character(len=:), allocatable :: words
 
          words = ''
-         if (n > 1) words = ' at '//to_text(temperature)//' '//model%units%label('K')//' ('//to_text(n)// &
+         if (n > 1) words = ' at '//to_text(temperature)//model%units%after('K')//' ('//to_text(n)// &
             ' temperatures)'
       end function of_table
 
@@ -160,7 +160,7 @@ contains
          character(len=*), intent(in) :: unit
          character(len=:), allocatable :: words
 
-         words = to_text(value)//' '//model%units%label(unit)
+         words = to_text(value)//model%units%after(unit)
       end function with_unit
 
    end function section_lines
@@ -285,7 +285,7 @@ contains
       character(len=:), allocatable :: words
 
       words = to_text(value)
-      if (unit /= '-') words = words//' '//units%label(trim(unit))
+      if (unit /= '-') words = words//units%after(trim(unit))
    end function describe_value
 
    pure function describe_friction(interaction, units) result(words)
@@ -296,7 +296,7 @@ contains
       words = ', friction '//to_text(interaction%friction)
       associate (law => stick_laws(interaction%stick_law))
          if (len_trim(law%parameter) > 0) words = words//' with '//lower(trim(law%parameter))//' '// &
-            to_text(interaction%stick_value)//' '//units%label(trim(law%unit))
+            to_text(interaction%stick_value)//units%after(trim(law%unit))
       end associate
    end function describe_friction
 
@@ -340,13 +340,13 @@ contains
          if (step%solves(field_temperature)) text = text// &
             trim(merge(': motions,', ':         ', step%solves(field_displacement)))//' currents and temperatures'// &
             trim(merge(' over time', '          ', step%transient))
-         text = text//': time '//to_text(step%total)//' '//trim(model%units%time)//', '
+         text = text//': time '//to_text(step%total)//model%units%after('s')//', '
          if (step%direct) then
-            text = text//'increments of '//to_text(step%first)//' '//trim(model%units%time)
+            text = text//'increments of '//to_text(step%first)//model%units%after('s')
          else
             text = text//'increments first '//to_text(step%first)//', smallest '//to_text(step%smallest)// &
                ', largest '// &
-               to_text(step%largest)//' '//trim(model%units%time)
+               to_text(step%largest)//model%units%after('s')
          end if
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
          text = text//value_lines(step%boundary, 'prescribed')//value_lines(step%load, 'loads')// &

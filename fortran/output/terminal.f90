@@ -47,9 +47,9 @@ contains
             units => problem%model%units)
             write (output_unit, '(6x, a, i0, a, i0, a, i0, a, es11.4, a, es11.4, a, es11.4, a, es11.4, a)') &
                'contact ', contact%id, ' (elements ', id(contact%element_bar), ', ', id(contact%element), &
-               '): gap ', contact%gap, ' '//units%label('m')//', force ', contact%force, &
-               ' '//units%label('N')//', resistance ', contact%resistance, &
-               ' '//units%label('ohm')//', current ', contact%current, ' '//units%label('A')
+               '): gap ', contact%gap, units%after('m')//', force ', contact%force, &
+               units%after('N')//', resistance ', contact%resistance, &
+               units%after('ohm')//', current ', contact%current, units%after('A')
          end associate
       end do
    end subroutine print_contacts

@@ -231,7 +231,7 @@ contains
                if (departure <= allowed_departure*present(field_of_slot(slot))) cycle
                if (departure <= allowed_departure*largest_prescribed(model, state%step, field_of_slot(slot))) cycle
                words = 'node '//to_text(model%node_id(node))//' has a '//trim(field%name)//' of '//to_text(value)// &
-                  ' '//model%units%label(trim(field%unit))//' in degree of freedom '// &
+                  model%units%after(trim(field%unit))//' in degree of freedom '// &
                   to_text(field%first_dof + slot - field%first_slot)//' where '//to_text(target)// &
                   ' is prescribed: they differ by '//to_text(departure)
                return
@@ -258,7 +258,7 @@ contains
                   associate (arm => model%x(:, nodes(k)) - model%x(:, r), rotation => state%rotation(:, :, r))
                      departure = u(:, nodes(k)) - u(:, r) + arm - matmul(rotation, arm)
                      if (norm2(departure) > allowed_departure*largest) then
-                        words = 'has left its place by '//to_text(norm2(departure))//' '//model%units%label('m')
+                        words = 'has left its place by '//to_text(norm2(departure))//model%units%after('m')
                      else if (k <= n_tied .and. any(abs(state%rotation(:, :, nodes(k)) - rotation) &
                         > allowed_departure)) then
                         words = 'has another rotation'
@@ -487,7 +487,7 @@ contains
          if (law%has_penalty) then
             words = words//': a penalty of at least '// &
                to_text(penalty_that_holds(law, contact%force, allowed_penetration*smaller_radius(model, contact)))// &
-               ' '//model%units%label('N/m')//' would prevent this'
+               model%units%after('N/m')//' would prevent this'
          else
             words = words//': the '//trim(law%title)//' is valid for smaller ones'
          end if

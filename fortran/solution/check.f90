@@ -4,6 +4,7 @@ module litz_check
    use litz_increment_warnings, only: add_start_warnings
    use litz_initial_contacts, only: find_initial_overlap
    use litz_kinds, only: pi
+   use litz_model_checks, only: conductors_by_contact
    use litz_model, only: model_t
    use litz_problem, only: problem_t, prepare_problem
    use litz_run_warnings, only: run_warnings_t
@@ -30,7 +31,7 @@ contains
       call find_initial_overlap(problem, error)
       if (allocated(error)) return
       write (line, '(a, i0)') 'wires (chains of elements): ', problem%wires%n_wires
-      report = trim(line)//new_line('a')
+      report = trim(line)//new_line('a')//conductors_by_contact(model)
       if (.not. problem%contact%present) return
       report = report//'contact search: '//plural(size(problem%contact%candidates, 2), 'pair')// &
          ' of elements nearby, '//plural(size(problem%contact%points), 'crossing')//' within reach'//new_line('a')
@@ -41,7 +42,7 @@ contains
             write (line, '(a, i0, a, i0, a, f6.2, a, es11.3, a)') '  elements ', model%element_id(point%element_bar), &
                ' and ', model%element_id(point%element), ': crossing angle ', &
                min(point%kinematics%angle, pi - point%kinematics%angle)*180/pi, ' degrees, gap ', point%gap, &
-               ' '//trim(model%units%length)
+               model%units%after('m')
             report = report//trim(line)//new_line('a')
          end associate
       end do

@@ -192,7 +192,7 @@ contains
       to_blame = fields%group <= n_coupled .or. has_converged(report, n_coupled)
       field = maxloc(report%residual/max(report%allowed, tiny(1.0_dp)), 1, to_blame)
       text = 'the largest '//trim(fields(field)%flux_in_words)//' residual is'// &
-         in_short(report%residual(field))//' '//trim(fields(field)%flux_unit)// &
+         in_short(report%residual(field))//model%units%after(trim(fields(field)%flux_unit))// &
          ', allowed are'//in_short(report%allowed(field))//', after '//to_text(report%iteration)//' iterations'
       if (report%residual_node(field) > 0) text = text//', at node '// &
          to_text(model%node_id(report%residual_node(field)))

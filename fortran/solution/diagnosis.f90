@@ -57,9 +57,9 @@ contains
       i = maxloc(abs(points%iteration_force - points%force), 1, points%active .or. points%closed)
       text = 'The contact that has converged least is that of elements '// &
          to_text(problem%model%element_id(points(i)%element_bar))//' and '// &
-         to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)//' '// &
-         problem%model%units%label('m')//', force '//to_text(points(i)%force)//' '// &
-         problem%model%units%label('N')//'). '
+         to_text(problem%model%element_id(points(i)%element))//' (gap '//to_text(points(i)%gap)// &
+         problem%model%units%after('m')//', force '//to_text(points(i)%force)// &
+         problem%model%units%after('N')//'). '
    end function describe_worst_contact
 
    !> What the iteration failed of, and what helps.
@@ -117,8 +117,8 @@ contains
       e = maxloc(abs(problem%state%element_current), 1)
       if (e == 0) return
       if (.not. abs(problem%state%element_current(e)) > 0) return
-      text = 'There may be no steady temperature above I = '//to_text(abs(problem%state%element_current(e)))//' '// &
-         problem%model%units%label('A')//', the largest current that was steady, in element '// &
+      text = 'There may be no steady temperature above I = '//to_text(abs(problem%state%element_current(e)))// &
+         problem%model%units%after('A')//', the largest current that was steady, in element '// &
          to_text(problem%model%element_id(e))//'. '
    end function describe_heat
 

@@ -125,14 +125,14 @@ contains
       character(len=:), allocatable :: label
       real(dp) :: rate
 
-      label = problem%model%units%label('K/s')
+      label = problem%model%units%after('K/s')
       associate (step => problem%model%steps(problem%state%step))
          if (.not. step%steady_rate > 0 .or. .not. reaches_end(step, problem%state%step_time)) return
          rate = fastest_change(problem)
          if (rate < step%steady_rate) return
          call problem%warnings%add('not_steady', 'the step has ended at its time, and a temperature still changes'// &
-            ' by '//to_text(rate)//' '//label//', where END=SS asks for less than '//to_text(step%steady_rate)//' '// &
-            label, value=rate, unit=label)
+            ' by '//to_text(rate)//label//', where END=SS asks for less than '//to_text(step%steady_rate)//label, &
+            value=rate, unit=trim(adjustl(label)))
       end associate
    end subroutine add_not_steady
 
@@ -199,8 +199,8 @@ contains
          if (law%has_melting .and. contact%temperature_max > law%melting) change = 'melts above '//to_text(law%melting)
       end associate
       if (len(change) > 0) call warnings%add('hot_spot', describe_contact(model, contact)//' is at '// &
-         to_text(contact%temperature_max)//' '//model%units%label('K')//' in its spot, whose metal '//change, &
-         elements, contact%temperature_max, 'K')
+         to_text(contact%temperature_max)//model%units%after('K')//' in its spot, whose metal '//change, &
+         elements, contact%temperature_max, model%units%label('K'))
    end subroutine add_hot_spot
 
    !> A spot of metal that yields which is wide for its wires, or a contact that has jumped up the side of its dent.
@@ -295,8 +295,8 @@ contains
       if (.not. is_remembered) factor = max(factor, first/force)
       if (factor <= 1) return
       call warnings%add('outside_table', describe_contact(model, contact)//' has a force of '//to_text(force)// &
-         ' '//model%units%label(unit)//', outside the table of its '//what//' (from '//to_text(first)//' to '// &
-         to_text(last)//' '//model%units%label(unit)//'), which is continued there as a power law', elements, &
+         model%units%after(unit)//', outside the table of its '//what//' (from '//to_text(first)//' to '// &
+         to_text(last)//model%units%after(unit)//'), which is continued there as a power law', elements, &
          factor, 'times beyond the table')
    end subroutine add_table_end
 

@@ -398,7 +398,7 @@ contains
    function remark_of(problem, outcome) result(remark)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
-      character(len=:), allocatable :: remark
+      character(len=:), allocatable :: remark, joule
       character(len=120) :: text
       integer :: i, n
 
@@ -409,8 +409,9 @@ contains
       end if
       if (outcome%negative_pivots > 0) remark = 'negative pivots: beyond a critical load; '
       if (problem%model%steps(outcome%last%step)%controls%stabilize > 0) then
-         write (text, '(a, es9.2, a, es9.2, a)') 'stabilization has taken', problem%state%energies%stabilization, &
-            ' J, the beams hold', problem%state%energies%strain, ' J;'
+         joule = problem%model%units%after('J')
+         write (text, '(a, es9.2, 2a, es9.2, 2a)') 'stabilization has taken', problem%state%energies%stabilization, &
+            joule, ', the beams hold', problem%state%energies%strain, joule, ';'
          remark = remark//trim(text)//' '
       end if
       n = 0

@@ -214,7 +214,7 @@ contains
       end do
       if (.not. most > 0) return
       reason = 'the temperature in element '//to_text(domain%model%element_id(worst))//' would be '// &
-         to_text(hottest_end(domain, worst))//' '//domain%model%units%label('K')// &
+         to_text(hottest_end(domain, worst))//domain%model%units%after('K')// &
          ', where the table of *ELECTRICAL CONDUCTIVITY ends at '//to_text(hottest_end(domain, worst) - most)
    end function rejection
 

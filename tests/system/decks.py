@@ -8,6 +8,7 @@ import numpy as np
 CROSSED = """\
 *HEADING
 crossed wires of a test
+*UNITS, SYSTEM=SI
 *NODE, NSET=LOWER
  1, -0.05, 0, 0
  2, -0.02, 0, 0
@@ -95,7 +96,7 @@ def thin_mat(push):
 
     Nine crossings of very different forces: some close and open again before the forces are found.
     """
-    lines = ["*HEADING", "mat of slender wires"]
+    lines = ["*HEADING", "mat of slender wires", "*UNITS, SYSTEM=SI"]
     for layer, name in enumerate(("LOWER", "UPPER")):
         for i, (degrees, offset) in enumerate(MAT[layer]):
             angle, first = np.radians(degrees), 1000 * (3 * layer + i + 1)
@@ -196,7 +197,7 @@ def grid(n, pitch=0.01):
     They cross in the middle of elements, n * n times; a current enters at the lower wires and leaves at the upper ones.
     """
     along = (np.arange(n + 2) - 0.5) * pitch
-    blocks = ["*HEADING\nwire grid of a test\n"]
+    blocks = ["*HEADING\nwire grid of a test\n*UNITS, SYSTEM=SI\n"]
     ends = {"LOWER": [], "UPPER": []}
     for i in range(n):
         across = np.full(n + 2, i * pitch)

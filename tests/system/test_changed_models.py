@@ -235,7 +235,7 @@ SIDES = ("a", "b", "b1", "b2", "h", "l", "r", "t", "t1", "t2", "t3", "t4")
 FREE_VALUES = {
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
-    ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
+    ("UNITS", "SYSTEM"): "one choice", ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",
     ("EXPANSION", "TYPE"): "one choice", ("CONDUCTIVITY", "TYPE"): "one choice",
     ("COUPLED THERMAL-ELECTRICAL", "STEADY STATE"): "a flag: tested by itself",
     ("COUPLED THERMAL-ELECTRICAL", "DELTMX"): "size of the increments",

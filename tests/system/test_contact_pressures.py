@@ -57,7 +57,7 @@ def test_the_pressure_does_not_jump_where_a_crossing_becomes_a_line(run):
 
 
 def test_summary_and_report_have_it_beside_what_metals_bear(run):
-    _, results = run(pressed(1e-6, degrees=45, cards=(NO_FIELD,)))
+    _, results = run("*UNITS, SYSTEM=SI\n" + pressed(1e-6, degrees=45, cards=(NO_FIELD,)))
     pressure = results.contacts_at(-1)["pressure"][0]
     text = " ".join(results.summary().split())
     assert f"largest pressure {pressure:.5g} Pa in contact 1, if the wires stay elastic" in text

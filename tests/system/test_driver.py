@@ -382,7 +382,8 @@ def test_of_overlaps_at_crossings_and_along_lines_the_deepest_is_named(litz, tmp
     )
     deck = tmp_path / "deck.inp"
     deck.write_text(
-        f"*NODE\n{nodes}*ELEMENT, TYPE=B33, ELSET=WIRES\n1, 1, 2\n2, 3, 4\n3, 5, 6\n*MATERIAL, NAME=M\n*ELASTIC\n1e11, 0.3\n"
+        f"*UNITS, SYSTEM=SI\n*NODE\n{nodes}"
+        f"*ELEMENT, TYPE=B33, ELSET=WIRES\n1, 1, 2\n2, 3, 4\n3, 5, 6\n*MATERIAL, NAME=M\n*ELASTIC\n1e11, 0.3\n"
         f"*BEAM SECTION, ELSET=WIRES, MATERIAL=M, SECTION=CIRC\n{radius}\n*SURFACE INTERACTION, NAME=T\n"
         "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n*CONTACT PAIR, INTERACTION=T\nWIRES\n*BOUNDARY\n"
         + "".join(f"{node}, 1, 6\n" for node in range(1, 7))

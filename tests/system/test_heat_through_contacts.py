@@ -55,6 +55,7 @@ def net(*, fine=False, current="*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n1e-3"
     )
     supply = "\n".join(f"{node}, 9, 9, {v:.17g}" for node, v in zip(feet, (volts, 0.0, 0.002, 0.004), strict=True))
     return f"""\
+*UNITS, SYSTEM=SI
 *NODE, NSET=ALL
 {newline.join(lines)}
 {members}

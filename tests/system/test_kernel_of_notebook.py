@@ -7,12 +7,13 @@ nbclient = pytest.importorskip("nbclient")
 pytest.importorskip("ipykernel")
 
 CELLS = [
-    "import litz\nresults = litz.run(DECK, output_directory='.', progress=True)",
+    "import litz\nresults = litz.run(DECK, output_directory='.')",
     "results.history",
     "litz.plot(results, 'history')",
     "litz.sweep(lambda side: side**2, {'side': [1.0, 2.0]}, directory=None)",
     "litz.view(results)",
     "litz.view(results, open_browser=False)",
+    "results",
     """
 from litz.viewer.server import _IN_NOTEBOOK
 from urllib.request import urlopen
@@ -33,7 +34,7 @@ def outputs(inputs, tmp_path, litz_program, monkeypatch):
 
 
 def test_a_kernel_shows_bars_tables_pictures_and_the_viewer(outputs):
-    run, table, picture, sweep, viewer, link, served = outputs
+    run, table, picture, sweep, viewer, link, inlined, served = outputs
     assert '<progress value="1.000"' in run[0]["text/html"]
     assert "08_elastica: finished" in run[0]["text/plain"]
     assert "<th>time</th>" in table[0]["text/html"]
@@ -42,6 +43,10 @@ def test_a_kernel_shows_bars_tables_pictures_and_the_viewer(outputs):
     assert "<td>4</td>" in sweep[1]["text/html"]
     assert '<iframe src="http://127.0.0.1:' in viewer[0]["text/html"]
     assert "<iframe" not in link[0]["text/html"]
+    # the model itself, and no address of a server that will be gone
+    assert '<iframe srcdoc="&lt;!DOCTYPE html&gt;' in inlined[0]["text/html"]
+    assert "127.0.0.1" not in inlined[0]["text/html"]
+    assert "08_elastica.vtkhdf: 21 nodes" in inlined[0]["text/plain"]
     # the second viewer of a file ends the first
     url, answered = served[0]["text"].split()
     assert f'<a href="{url}"' in link[0]["text/html"]

@@ -4,6 +4,9 @@ import os
 import pty
 import re
 import subprocess
+import sys
+
+import pytest
 
 
 def output_on_a_terminal(command):
@@ -40,3 +43,29 @@ def test_a_file_or_a_pipe_gets_lines_that_stay_only(litz, inputs, tmp_path):
     result = litz("run", inputs / "12_woven_fabric.inp", "-o", tmp_path)
     assert result.returncode == 0
     assert "\r" not in result.stdout
+
+
+SCRIPT = "import litz, sys; litz.run(sys.argv[1], output_directory=sys.argv[2]{})"
+
+
+@pytest.fixture
+def script(inputs, tmp_path, litz_program, monkeypatch):
+    """Command of a Python script that runs a deck, with options of `litz.run`."""
+    monkeypatch.setenv("LITZ_PROGRAM", str(litz_program))
+    return lambda options="": [sys.executable, "-c", SCRIPT.format(options), inputs / "08_elastica.inp", tmp_path]
+
+
+def test_a_script_shows_a_bar_on_a_terminal(script):
+    text = output_on_a_terminal(script())
+    assert re.search(r"\r\[#*\.*\] +\d+% step 1, increment \d+, 0 contacts, 0:00:0", text)
+    assert re.search(r"\r08_elastica: finished after 0:00:\d\d \(step \d, increment \d+, 0 contacts\)", text)
+
+
+@pytest.mark.parametrize("options", [", progress=False", ", quiet=False"])
+def test_a_script_shows_no_bar_if_it_says_so(script, options):
+    assert "[" + "#" not in output_on_a_terminal(script(options)).replace("[N]", "")
+
+
+def test_a_script_in_a_pipe_is_quiet(script):
+    done = subprocess.run(script(), capture_output=True, text=True, check=True)
+    assert done.stdout + done.stderr == ""

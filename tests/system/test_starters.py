@@ -17,6 +17,7 @@ def test_a_starter_runs_as_it_stands_and_conducts(task, tmp_path):
     assert done.returncode == 0, done.stderr
     results = litz.run(tmp_path / f"{task}.inp", output_directory=tmp_path / task)
     assert results.finished
+    assert not results.warnings
     assert results.contacts_at(-1).n_rows >= 1
     (resistance,) = [name for name in results.history if name.startswith("resistance ")]
     assert results.history[resistance][-1] > 0

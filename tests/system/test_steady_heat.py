@@ -23,6 +23,7 @@ def deck(elements=8, sigma=f"{1 / RHO:.17g}", conductivity=LAMBDA, supply="1, 9,
     nodes = "\n".join(f"{i + 1}, {x:.17g}, 0, 0" for i, x in enumerate(np.linspace(0, LENGTH, elements + 1)))
     members = "\n".join(f"{i}, {i}, {i + 1}" for i in range(1, elements + 1))
     return f"""\
+*UNITS, SYSTEM=SI
 *NODE, NSET=ALL
 {nodes}
 *ELEMENT, TYPE=B31, ELSET=WIRE

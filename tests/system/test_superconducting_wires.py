@@ -28,7 +28,8 @@ def deck(superconductor=TABLE, cards="", static="1, 1, 1e-3, 1", elements=3, mod
          procedure="*STATIC", outputs="*EL PRINT, ELSET=WIRE\n SC\n", held="1, ENCASTRE\n 1, 9"):  # fmt: skip
     """A wire along x, clamped and earthed at its first node."""
     return (
-        wire("WIRE", straight((0, 0, 0), (LENGTH, 0, 0), elements), element="B33")
+        "*UNITS, SYSTEM=SI\n"
+        + wire("WIRE", straight((0, 0, 0), (LENGTH, 0, 0), elements), element="B33")
         + f"*MATERIAL, NAME=STRAND\n*ELASTIC\n 100e9, 0.3\n*ELECTRICAL CONDUCTIVITY\n {conductivity}\n{superconductor}{material}"
         f"*BEAM SECTION, ELSET=WIRE, MATERIAL=STRAND, SECTION=CIRC\n {RADIUS}\n*BOUNDARY\n {held}\n{model}"
         f"*STEP, INC=200\n{procedure}\n {static}\n{cards}\n{outputs}*END STEP\n"

@@ -26,7 +26,7 @@ HANDLE = (0.01, -0.004, 0.006)
 
 def crossed_between_plates():
     """Two crossed wires on a table, pressed by a plate that then moves along and turns on its normal."""
-    model = litz.Model("two crossed wires between plates")
+    model = litz.Model("two crossed wires between plates", units="SI")
     steel = model.material("STEEL", young=200e9, poisson=0.3)
     lower = model.wire("LOWER", (-0.011, 0, 0), (0.009, 0, 0), elements=7, radius=RADIUS, material=steel)
     above = 2 * RADIUS - 1e-8

@@ -52,7 +52,12 @@ def run(litz, tmp_path, model=ROOM, step="", later=""):
 
 
 def test_temperatures_ramp_from_the_initial_ones_and_stay(litz, tmp_path):
-    results = run(litz, tmp_path, step="*TEMPERATURE\n 2, 393\n*NODE PRINT, NSET=ALL, TOTALS=YES\n NT")
+    results = run(
+        litz,
+        tmp_path,
+        model="*UNITS, SYSTEM=SI\n" + ROOM,
+        step="*TEMPERATURE\n 2, 393\n*NODE PRINT, NSET=ALL, TOTALS=YES\n NT",
+    )
     temperature = results.field("temperature", None)
     assert results.units["temperature"] == "K"
     np.testing.assert_array_equal(temperature[:, [0, 2]], 293)

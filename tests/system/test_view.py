@@ -256,6 +256,26 @@ class TestReport:
         wait(browser, lambda: viewer(browser).get_attribute("data-increment") == "1", "no scrubbing")
 
 
+class TestNotebook:
+    def test_a_saved_notebook_shows_the_results_with_nothing_beside_it(self, browser, run_of_input, tmp_path):
+        results = litz.Results(run_of_input("04_wire_grid"))
+        saved = tmp_path / "notebook.html"
+        saved.write_text(f"<!DOCTYPE html><html><body>{results._repr_html_()}</body></html>", encoding="utf-8")
+        browser.get_log("browser")
+        browser.get(saved.as_uri())
+        browser.switch_to.frame(browser.find_element("css selector", "iframe"))
+        wait(browser, lambda: browser.find_elements("css selector", ".litz-viewer[data-ready=yes]"), "it is not ready")
+        assert errors(browser) == []
+        ask(browser, "viewer.select(3)")
+        assert ledger_row(browser)["id"] == "3"
+        browser.switch_to.default_content()
+
+    def test_results_without_an_increment_are_their_text(self, run_of_input, monkeypatch):
+        results = litz.Results(run_of_input("04_wire_grid"))
+        monkeypatch.setattr(type(results), "times", np.zeros(0))
+        assert results._repr_html_() is None
+
+
 class TestServer:
     def get(self, server, path, **headers):
         with urllib.request.urlopen(urllib.request.Request(server.url + path, headers=headers), timeout=30) as answer:

@@ -255,9 +255,9 @@ class TestKinds:
             return
         assert process.returncode == 0, process.stderr
         found = {entry.kind: entry for entry in results.warnings}
-        assert {"potential_by_contact", "spare_nodes"} <= set(found)
-        assert "held_by_contact" not in found
-        assert found["potential_by_contact"].elements == (11,)
+        assert "spare_nodes" in found
+        # what holds wires, or gives them their potential, in any network
+        assert not {"held_by_contact", "potential_by_contact"} & set(found)
         assert found["spare_nodes"].message == "node 99 belongs to no element"
 
 

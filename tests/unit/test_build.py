@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from litz import build
+from litz import build, closed_forms
 from litz.build.geometry import end_distance, segment_distance
 from litz.model import COPPER, STEEL
 from litz.wires.chains import find_wires
@@ -189,6 +189,27 @@ def test_grid_has_its_pitch():
     assert build.smallest_gap(model) == pytest.approx(0, abs=1e-12)
 
 
+@pytest.mark.parametrize(("n_x", "n_y"), [(3, 4), (12, 12)])
+def test_all_crossings_of_a_pressed_grid_have_the_force_of_clamped_spans(n_x, n_y, tmp_path):
+    """By symmetry no wire turns at its supports: spans of a pitch, loaded in their middles."""
+    pitch, radius, push = 10e-3, 0.5e-3, 20e-6
+    model = build.wire_grid(n_x, n_y, pitch=pitch, radius=radius)
+    model.press(push, voltage=1e-3, increment=0.5)
+    results = model.run(tmp_path / "grid")
+    bending = 192 * build.COPPER.young * math.pi * radius**4 / 4 / pitch**3
+    wires = {"radius": radius, "young": build.COPPER.young, "poisson": build.COPPER.poisson, "angle": math.pi / 2}
+    low, high = 0.0, push * bending / 2
+    for _ in range(60):
+        force = (low + high) / 2
+        approach = closed_forms.hertz_contact(force, **wires, resistivity=1.0).approach
+        low, high = (force, high) if 2 * force / bending + approach < push else (low, force)
+    contacts = results.contacts_at(-1)
+    assert contacts.n_rows == n_x * n_y
+    # spans that bend by 2e-3 of their length get longer, which pulls at them
+    np.testing.assert_allclose(contacts["force"], force, rtol=2e-4)
+    assert not results.warnings
+
+
 def test_yarns_of_a_fabric_go_over_and_under():
     model = build.woven_fabric(4, 5, pitch=1e-3, radius=0.1e-3, clearance=4e-6, plates=False)
     heights = {}
@@ -270,6 +291,7 @@ def test_a_model_is_pressed_by_less_than_its_height(name):
         (lambda: build.fibre_mat((1, 1), 3, radius=1e-3, seed=1, spread=1.0), "spread"),
         (lambda: build.fibre_mat((1, 1), 20, radius=3e-2, seed=1), r"of 20 fibres fit"),
         (lambda: build.wire_grid(2, 2, pitch=1e-3, radius=1e-3), "pitch"),
+        (lambda: build.wire_grid(2, 2, pitch=1e-2, radius=1e-3, supports="all"), 'must be "between" or "ends"'),
         (lambda: build.nanowire_film((1, 1), 2, length=1e-2, radius=1e-3, seed=1), "electrodes"),
     ],
 )

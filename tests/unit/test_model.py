@@ -399,7 +399,7 @@ def test_constants_of_the_package_pass_the_checks():
     for material in (litz.COPPER, litz.SILVER, litz.STEEL):
         for card in material.cards():
             check_card(*card)
-        again = litz.Material(material.name, material.young, material.poisson, material.conductivity)
+        again = litz.Material(material.name, material.young, material.poisson, material.conductivity, units="SI")
         assert again == material
     assert litz.Interaction(conductance=litz.HertzSpot()) == parts.HERTZ_AND_HOLM
 

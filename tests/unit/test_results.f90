@@ -12,6 +12,7 @@ program test_results
    use litz_fields, only: n_slots
    use litz_friction_law, only: friction_slip
    use litz_element_types, only: element_b31
+   use litz_unit_labels, only: si_labels
    use litz_model, only: model_t, section_t, material_t, named_set_t, step_t, output_request_t, &
       request_node, request_element, request_electrode
    use litz_state, only: state_t, contact_t
@@ -61,6 +62,7 @@ contains
       integer :: i
 
       model%heading = 'Two crossed wires'
+      model%units = si_labels
       model%deck_text = '*HEADING'//nl//'Two crossed wires, ⌀ 2 mm'//nl
       model%n_nodes = 6
       model%n_elements = 4

@@ -56,6 +56,7 @@ def grid(wires, friction):
         pitch=5e-3,
         radius=RADII[-1],
         elements_per_pitch=1,
+        supports="ends",
         material=STEEL,
         interaction=build.Interaction(friction=friction) if friction else build.Interaction(),
     )

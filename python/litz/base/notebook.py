@@ -2,6 +2,7 @@
 
 import base64
 import html
+import importlib
 import sys
 from pathlib import PosixPath
 from typing import Any
@@ -37,6 +38,19 @@ class Html:
 
     def _repr_html_(self) -> str:
         return self._html
+
+
+def shown_by(module: str, shown: object) -> str | None:
+    """What a module of this package makes of an object for a notebook; it is loaded by name, as it uses what the object is of.
+
+    Parameters
+    ----------
+    module : str
+        Its name within the package; it has a function `frame`.
+    shown : object
+        What is to be shown.
+    """
+    return importlib.import_module(f"litz.{module}").frame(shown)
 
 
 def in_notebook() -> bool:

@@ -12,7 +12,8 @@ _SYMBOLS = {"ohm": "Ω", "A/m^2": "A/m²", "N m": "N·m", "Nm": "N·m", "1": ""}
 def engineering(values: np.ndarray, unit: str) -> tuple[float, str]:
     """Factor and prefixed unit that bring the largest value between 1 and 1000, such as (1000, "mV").
 
-    Dimensionless values, times, and units labelled by the deck (`*UNITS`) are unchanged.
+    Dimensionless values, times, units labelled by the deck (`*UNITS`), and values of decks that do not name their units
+    are unchanged.
 
     Examples
     --------
@@ -34,3 +35,23 @@ def label(name: str, unit: str) -> str:
     """Text for an axis: `axial_force`, "kN" -> "axial force [kN]"."""
     text = name.replace("_", " ")
     return f"{text} [{unit}]" if unit else text
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number and its unit, if that has a name: "1.5", "N" -> "1.5 N"."""
+    return f"{number} {unit}" if unit else number
+
+
+def in_brackets(unit: str) -> str:
+    """A unit as it stands after the name of a column: "N" -> " [N]"."""
+    return f" [{unit}]" if unit else ""
+
+
+def per(unit: str, other: str) -> str:
+    """The unit of a quotient: "N", "m" -> "N/m"; "" of a deck that does not name its units."""
+    return f"{unit}/{other}" if unit and other else ""
+
+
+def unit_of_conductance(resistance: str) -> str:
+    """The unit of a conductance, given that of a resistance: "ohm" -> "S"."""
+    return "S" if resistance == "ohm" else per("1", resistance)

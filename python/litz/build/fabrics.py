@@ -25,6 +25,7 @@ def wire_grid(
     radius: float,
     clearance: float = 0.0,
     elements_per_pitch: int = 2,
+    supports: str = "between",
     material: Material = COPPER,
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
@@ -32,7 +33,7 @@ def wire_grid(
     """Straight wires along y that lie on straight wires along x, to be pressed together.
 
     All ends are clamped, one end of each wire may move along it. Crossings lie at nodes when `elements_per_pitch` is even,
-    half a pitch away from the ends. `model.press` lowers the ends of the upper wires.
+    half a pitch away from the ends. `model.press` lowers the supports of the upper wires; those of the lower wires stay.
 
     Parameters
     ----------
@@ -46,6 +47,10 @@ def wire_grid(
         Gap between upper and lower wires at the start [m].
     elements_per_pitch : int
         Elements of each wire between two crossings.
+    supports : {"between", "ends"}
+        Where the heights of wires are given: also halfway between any two crossings, as ribs of two plates would do, so that
+        all crossings are pressed, and with the same force; or at the ends alone, so that the wires bend away from each
+        other in the middle, where wires of many crossings are not pressed: of 80 x 80 only those near the edges touch.
     material, interaction, element
         What the wires are made of, the laws of their contacts, type of the elements.
 
@@ -59,6 +64,8 @@ def wire_grid(
         raise ValueError("a grid needs a positive radius and a pitch of more than a diameter")
     if clearance < 0:
         raise ValueError(f"clearance must be 0 or greater, not {clearance:g}")
+    if supports not in ("between", "ends"):
+        raise ValueError(f'supports must be "between" or "ends", not {supports!r}')
     model = Model(f"Grid of {n_x} x {n_y} wires")
     height, across = 2 * radius + clearance, [(index + 0.5) * pitch for index in range(max(n_x, n_y))]
 
@@ -76,6 +83,11 @@ def wire_grid(
             fixed = [dof for dof in (1, 2, 4, 5, 6) if dof != along or which == "STARTS"]
             model.fix(f"{name}_{which}", *fixed)
             model.guides[f"{name}_{which}"] = 1.0 if name == "UPPER" else 0.0
+        inner = [
+            node for wire in model.groups[name].wires for node in wire.nodes[elements_per_pitch:-1:elements_per_pitch]
+        ]
+        if supports == "between" and inner:
+            model.guides[model.node_set(f"{name}_BETWEEN", inner).name] = 1.0 if name == "UPPER" else 0.0
     model.node_set("PLUS", "UPPER_STARTS")
     model.node_set("MINUS", "LOWER_STARTS")
     model.element_set("WIRES", ["LOWER", "UPPER"])

@@ -9,15 +9,17 @@ from typing import Any
 from ..base.names import unknown_name
 from ..deck import Card, Deck
 from ..errors import FileError
-from ..model import COPPER, FilmSpot, Hertz, HertzSpot, Interaction, Material, Model
+from ..model import COPPER, FilmSpot, Hertz, HertzSpot, Interaction, Material, Model, SharvinSpot
 from ..model.loading import describe_fields
 from .cables import cable, strand
-from .fabrics import wire_grid
+from .fabrics import wire_grid, woven_fabric
 from .fibre_mats import fibre_mat
+from .films import nanowire_film
 from .jackets import compact
 
 #: What a card is for, before the first of its kind; "STEP ..." for those in a step
 _NOTES = {
+    "UNITS": "units that results are labelled with; without it they have none",
     "NODE": "nodes: number, x, y, z [m]; NSET collects them in a node set",
     "ELEMENT": "beam elements between two nodes; ELSET collects them in an element set",
     "ELSET": "element sets of other sets",
@@ -153,6 +155,32 @@ def _triplet() -> Model:
     return model
 
 
+def _film() -> Model:
+    # spots are smaller than the mean free path of the electrons in silver; that times the resistivity [ohm m^2]
+    touch = Interaction("TOUCH", conductance=SharvinSpot(8.46e-16))
+    model = nanowire_film(
+        (20e-6, 10e-6), 40, length=8e-6, radius=30e-9, seed=2, reach=2e-6, clearance=0.3e-9, interaction=touch
+    )
+    model.title = "A film of 40 silver nanowires between two electrodes, pressed, 1 mV between them"
+    model.press(0.3 * (model.height or 0.0), voltage=1e-3, increment=0.2)
+    return model
+
+
+def _fabric() -> Model:
+    model = woven_fabric(4, 4, pitch=1e-3, radius=0.1e-3)
+    model.title = "A plain-woven fabric of 4 x 4 copper wires pressed between two plates, 1 mV between them"
+    model.press(4e-6, voltage=1e-3, increment=0.25).node_print("PLUS", "RF", totals="ONLY")
+    return model
+
+
+def _cable() -> Model:
+    model = cable([[3], [2]], radius=0.1e-3, lay_lengths=[8e-3, 16e-3], length=4e-3)
+    model.title = "Two strands of three wires laid to a cable, pulled by 0.1 %, 1 mV between the ends"
+    model.comments = ["Wires touch along lines, in the strands and from strand to strand."]
+    model.press(-4e-6, voltage=1e-3, name="PULL", increment=0.25).node_print("PLUS", "RF", totals="ONLY")
+    return model
+
+
 def _fuse() -> Model:
     rho, slope, room, melting = 1.72e-8, 3.93e-3, 293.15, 1357.0
     hot = 1700.0
@@ -166,7 +194,7 @@ def _fuse() -> Model:
         specific_heat=385.0,
         latent_heat=(205e3, melting, melting + 1),
     )
-    model = Model("A copper wire that a current of 60 A heats until it melts")
+    model = Model("A copper wire that a current of 60 A heats until it melts", units="SI")
     model.comments = ["The resistivity of copper rises with the temperature by 0.393 % of that at 293.15 K per kelvin."]
     fuse = model.wire("FUSE", (-10e-3, 0, 0), (10e-3, 0, 0), radius=0.1e-3, material=copper, elements=20)
     model.fix(fuse.start)
@@ -185,6 +213,9 @@ STARTERS = {
     "friction": Starter("a wire dragged along another one: stick and slip, energies", _friction),
     "grid": Starter("four wires across four others: current through a network of contacts", _grid),
     "fibre-mat": Starter("random fibres pressed between two electrodes", _fibre_mat),
+    "film": Starter("silver nanowires that lie on each other, between two electrodes", _film),
+    "fabric": Starter("woven wires pressed between two plates", _fabric),
+    "cable": Starter("two strands laid to a cable, pulled: contact along lines", _cable),
     "strand": Starter("six wires laid on a core, pulled: contact along lines", _strand),
     "triplet": Starter("three strands in a jacket that shrinks: the resistance between strands", _triplet),
     "fuse": Starter("a wire heated by its current over time until it melts", _fuse),
@@ -203,7 +234,7 @@ def new(task: str, path: str | os.PathLike | None = None) -> Path:
     Parameters
     ----------
     task : str
-        "crossed-wires", "friction", "grid", "fibre-mat", "strand", "triplet" or "fuse".
+        "crossed-wires", "friction", "grid", "fibre-mat", "film", "fabric", "cable", "strand", "triplet" or "fuse".
     path : path, optional
         Path of the deck; default: `TASK.inp` in the current directory. An existing file is not replaced.
 

@@ -17,6 +17,10 @@ from .surface_model import Reference, SurfaceModel
 from .surfaces import RigidSurface
 from .wires import WireGroup
 
+#: Parameters of *UNITS that are those of SI
+_SI_LABELS = {
+    "SYSTEM": "SI", "LENGTH": "m", "FORCE": "N", "TIME": "s", "CURRENT": "A", "VOLTAGE": "V", "TEMPERATURE": "K",
+}  # fmt: skip
 #: Maximum number of groups and steps in the description of a model
 _MAX_LISTED = 12
 
@@ -24,7 +28,7 @@ _MAX_LISTED = 12
 class LoadedModel(SurfaceModel):
     """Wires with their contacts, supports and steps; `Model` writes and runs them."""
 
-    def __init__(self, title: str, comments: Iterable[str] = (), *, units: str | Mapping[str, str] = "SI"):
+    def __init__(self, title: str, comments: Iterable[str] = (), *, units: str | Mapping[str, str] | None = None):
         super().__init__()
         self.title = title
         self.comments = list(comments)
@@ -35,7 +39,20 @@ class LoadedModel(SurfaceModel):
         self.ground: str | None = None
         self.steps: list[Step] = []
         self.cards: list[CardSpec] = []
-        self.units = _unit_labels(units)
+        self._unit_labels = None if units is None else _unit_labels(units)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Parameters of `*UNITS`; empty: the model does not say what its units are."""
+        in_si = [material.name for material in self.materials if material.units == "SI"]
+        if self._unit_labels is None:
+            return {"SYSTEM": "SI"} if in_si else {}
+        others = [f"{name}={label}" for name, label in self._unit_labels.items() if label != _SI_LABELS.get(name)]
+        if in_si and others:
+            raise ValueError(
+                f"{in_si[0]} is in SI, and the model has {', '.join(others)}: give a litz.Material in the units of the model"
+            )
+        return dict(self._unit_labels)
 
     def __repr__(self) -> str:
         """Short description."""
@@ -356,11 +373,11 @@ def _check_surface_laws(
 
 
 def _unit_labels(units: str | Mapping[str, str]) -> dict[str, str]:
-    """Parameters of *UNITS; none for SI."""
+    """Parameters of *UNITS."""
     if isinstance(units, str):
         if units.upper() != "SI":
             raise ValueError(f'units must be "SI" or labels such as {{"length": "mm", "force": "mN"}}, not {units!r}')
-        return {}
+        return {"SYSTEM": "SI"}
     labels = {name.upper(): label for name, label in units.items()}
     check_card("UNITS", labels)
     return labels

@@ -123,6 +123,9 @@ class Material:
         Heat of melting [J/kg], taken up between solidus and liquidus [K].
     superconductor : Superconductor, optional
         Superconducting filaments; the conductivity is that of the metal around them.
+    units : {"SI"}, optional
+        The numbers are in SI: so is a model with this material, whose results then have the units of SI in their tables
+        and pictures. None: they are in the units of the model.
 
     Examples
     --------
@@ -149,10 +152,13 @@ class Material:
     specific_heat: OverTemperature | None = None
     latent_heat: tuple[float, float, float] | None = None
     superconductor: Superconductor | None = None
+    units: str | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
         check_name(self.name, "the name of a material")
+        if self.units not in (None, "SI"):
+            raise ValueError(f'units of a material must be "SI" or None, not {self.units!r}')
         for name in _OVER_TEMPERATURE:
             value = getattr(self, name)
             if value is not None:
@@ -201,11 +207,11 @@ def predefined(kind: type, **values: Any) -> Any:
 
 
 #: Pure copper at room temperature
-COPPER: Material = predefined(Material, name="COPPER", young=120e9, poisson=0.34, conductivity=58.8e6)
+COPPER: Material = predefined(Material, name="COPPER", young=120e9, poisson=0.34, conductivity=58.8e6, units="SI")
 #: Pure silver at room temperature
-SILVER: Material = predefined(Material, name="SILVER", young=83e9, poisson=0.37, conductivity=63e6)
+SILVER: Material = predefined(Material, name="SILVER", young=83e9, poisson=0.37, conductivity=63e6, units="SI")
 #: Spring steel at room temperature, here an insulator
-STEEL: Material = predefined(Material, name="STEEL", young=200e9, poisson=0.3, conductivity=None)
+STEEL: Material = predefined(Material, name="STEEL", young=200e9, poisson=0.3, conductivity=None, units="SI")
 
 
 @dataclass(frozen=True)

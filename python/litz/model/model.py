@@ -23,9 +23,10 @@ class Model(LoadedModel):
         Heading of the deck.
     comments : list of str
         Lines that stand as `**` comments at the head of the deck.
-    units : "SI" or mapping
-        Labels of the units that the numbers are in, by the parameters of `*UNITS`, such as
-        `{"length": "mm", "force": "mN"}`. Labels only: nothing is converted.
+    units : "SI" or mapping, optional
+        The units that the numbers are in: "SI", or labels by the parameters of `*UNITS`, such as
+        `{"length": "mm", "force": "mN"}`. Labels only: nothing is converted. Without them, a model with a material in SI
+        (`litz.COPPER`) is in SI, and the results of any other model have no units in tables and pictures.
 
     Attributes
     ----------
@@ -73,7 +74,7 @@ class Model(LoadedModel):
       <wire LOWER: 9 B33 elements, radius 0.001, COPPER>
       <wire UPPER: 9 B33 elements, radius 0.001, COPPER>
       contact LOWER with UPPER: TOUCH
-      <Step STEP1: 1 s, first increment 0.1 s; 3 prescribed; ELECTRODE PRINT>>
+      <Step STEP1: time 1, first increment 0.1; 3 prescribed; ELECTRODE PRINT>>
     >>> results = model.run("results/crossed")   # doctest: +SKIP
     """
 

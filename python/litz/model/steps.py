@@ -126,7 +126,7 @@ class Step:
     def __repr__(self) -> str:
         """Short description."""
         first, total = self._static[2][0][:2]
-        parts = [f"{total:g} s, first increment {first:g} s"]
+        parts = [f"time {total:g}, first increment {first:g}"]
         parts += [f"{len(self.prescribed)} prescribed"] if self.prescribed else []
         parts += [f"{len(self.loads)} loads"] if self.loads else []
         parts += [", ".join(dict.fromkeys(card[0] for card in self.cards))] if self.cards else []

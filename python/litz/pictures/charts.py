@@ -8,7 +8,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 
-from ..base.quantities import engineering, label
+from ..base.quantities import engineering, label, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
@@ -250,7 +250,7 @@ def residual_lines(axes: Axes, table: Table, name: str) -> None:
         )
         axes.semilogy(rows["iteration"], rows[f"{name}_allowed"], "--", color=colour, linewidth=0.9, alpha=0.8)
     axes.set_title(f"{name.capitalize()} residual, dashed: allowed")
-    axes.set_ylabel(f"norm [{engineering(np.zeros(1), table.units[name])[1]}]")
+    axes.set_ylabel(label("norm", engineering(np.zeros(1), table.units[name])[1]))
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
 
 
@@ -344,7 +344,7 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
 def spot_sizes(axes: Axes, results: Results, increment: int) -> None:
     """Semi-axes of the spots over force, at the increment that is shown."""
     now = results.contacts_at(increment)
-    axes.set_title(f"Spots at time {results.times[increment]:g} {results.unit_labels['s']}")
+    axes.set_title(f"Spots at time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}")
     if not now.n_rows or not now["semi_major"].any():
         nothing_to_draw(axes, "There are no spots")
         return

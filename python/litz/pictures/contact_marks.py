@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.quantities import engineering, label
+from ..base.quantities import engineering, label, per, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_places import contact_places, rows_of
@@ -105,7 +105,7 @@ class ContactMarks:
         self._largest = max((self._sizes(increment).max(initial=0.0) for increment in self._crossings), default=0.0)
         self.line_limit = max((lines.value.max(initial=0.0) for lines, _ in self._lines.values()), default=0.0)
         units = results.unit_labels
-        self.line_factor, unit = engineering(np.array([self.line_limit]), f"{units['N']}/{units['m']}")
+        self.line_factor, unit = engineering(np.array([self.line_limit]), per(units["N"], units["m"]))
         has_lines = any(len(lines.value) for lines, _ in self._lines.values())
         self.line_title = label("force per length", unit) if has_lines else ""
 
@@ -147,9 +147,10 @@ class ContactMarks:
         notes = []
         if discs:
             factor, unit = engineering(np.array([self._largest]), self._crossings[increment].units[self._by])
+            largest = with_unit(f"{self._largest * factor:.3g}", unit)
             notes.append(
                 f"{discs} contact{'s' if discs > 1 else ''}: disc area proportional to {self._by},\n"
-                f"maximum {self._largest * factor:.3g} {unit}" + (f" ({hidden} without {self._by})" if hidden else "")
+                f"maximum {largest}" + (f" ({hidden} without {self._by})" if hidden else "")
             )
         if zones:
             notes.append(f"{zones} zone{'s' if zones > 1 else ''} of line contact, with dots at the ends")

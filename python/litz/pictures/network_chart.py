@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from ..base.quantities import engineering, label
+from ..base.quantities import engineering, label, with_unit
 from ..results import Results
 from ..results.network import ContactNetwork, contact_network
 from .chart_tools import has_force, wire_names
@@ -39,10 +39,10 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     _draw_lines(axes, places, pairs, size)
     _draw_wires(figure, axes, places, graph, wire_names(results, results.wires), results.unit_labels["V"])
     factor, unit = engineering(size, results.unit_labels[{"current": "A", "force": "N"}[by]])
-    largest = f"; the thickest line is {size.max() * factor:.3g} {unit}" if len(size) else ""
+    largest = f"; the thickest line is {with_unit(f'{size.max() * factor:.3g}', unit)}" if len(size) else ""
     counts = f"{_counted(n_wires, 'wire')}, {_counted(len(graph.id), 'contact')}"
     figure.suptitle(
-        f"Contact network at time {results.times[increment]:g} {results.unit_labels['s']}: {counts}",
+        f"Contact network at time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}: {counts}",
         x=0.005, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",

@@ -15,6 +15,7 @@ from matplotlib.text import Text
 
 from ..base.names import unknown_name
 from ..base.notebook import Picture
+from ..base.quantities import with_unit
 from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
@@ -235,7 +236,7 @@ def title(results: Results, increment: int) -> str:
     heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 75, placeholder=" ...")
     return (
         f"{heading}\nstep {results.steps[increment]}, increment {results.increments[increment]}, "
-        f"time {results.times[increment]:g} {results.unit_labels['s']}"
+        f"time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}"
     )
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 
-from ..base.quantities import engineering
+from ..base.quantities import engineering, with_unit
 from .contact_marks import Spots
 from .scene import Camera, Scene
 from .tube_mesh import discs as discs_mesh
@@ -392,5 +392,5 @@ def draw_frame(axes: Axes, camera: Camera, length_unit: str) -> None:
     factor, unit = engineering(np.array([bar]), length_unit)
     right, bottom = 0.8 * camera.half_width, -0.35 * half_height
     axes.plot([right - bar, right], [bottom, bottom], color="#404040", linewidth=2.5, solid_capstyle="butt")
-    axes.text(right - bar / 2, bottom + 0.12 * half_height, f"{bar * factor:g} {unit}",
+    axes.text(right - bar / 2, bottom + 0.12 * half_height, with_unit(f"{bar * factor:g}", unit),
               ha="center", va="bottom", color="#404040", fontsize="small")  # fmt: skip

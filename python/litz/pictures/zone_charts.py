@@ -7,7 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..base.quantities import engineering, label
+from ..base.quantities import engineering, label, per
 from ..results import Results
 from ..results.contact_history import contacts_over_time
 from ..results.contact_places import ContactPlaces, contact_places
@@ -63,7 +63,7 @@ def along_wires(axes: Axes, results: Results, places: ContactPlaces, name: str, 
     units = results.unit_labels
     unit_of = {"force_per_length": units["N"], "current_per_length": units["A"], "heat_per_length": units["W"]}
     value = per_length(picked)[name]
-    factor, unit = engineering(value, f"{unit_of[name]}/{units['m']}")
+    factor, unit = engineering(value, per(unit_of[name], units["m"]))
     length_factor, length_unit = engineering(arc, units["m"])
     points = np.stack([length_factor * arc[order], factor * value[order]], axis=1)
     pairs, pair = np.unique(picked.wires[order], axis=0, return_inverse=True)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from ..base.quantities import engineering
+from ..base.quantities import engineering, in_brackets, per, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import crossings_by_themselves
@@ -42,15 +42,12 @@ def amount(value: float, unit: str) -> str:
 
 def verdict(results: Results) -> str:
     """Whether the run came to its end, and how far."""
-    n, status, time = int((results.steps > 0).sum()), results.status, html.escape(results.unit_labels["s"])
+    n, status = int((results.steps > 0).sum()), results.status
+    time = html.escape(with_unit(f"{results.times[-1]:g}", results.unit_labels["s"])) if n else ""
     work = f"{n} increment{'s' * (n != 1)}, {int(status['iterations'].sum())} iterations"
     if results.finished:
-        return f'<p class="verdict">The run finished at time {results.times[-1]:g} {time}: {work}.</p>'
-    where = (
-        f"the last increment that converged is at time {results.times[-1]:g} {time}"
-        if n
-        else "no increment has converged"
-    )
+        return f'<p class="verdict">The run finished at time {time}: {work}.</p>'
+    where = f"the last increment that converged is at time {time}" if n else "no increment has converged"
     return f'<p class="verdict bad">The run did not finish (or still runs): {where}; {work}.</p>'
 
 
@@ -182,7 +179,7 @@ def convergence(results: Results) -> str:
             for step, increment, attempt, time, remark in zip(*columns, strict=True)
         ]
         head = f"the last {len(lines)} of {len(noted)} remarks" if len(noted) > len(lines) else "remarks"
-        text += table(("step:increment", "try", f"time [{status.units['time']}]", head), lines, text=[3])
+        text += table(("step:increment", "try", f"time{in_brackets(status.units['time'])}", head), lines, text=[3])
     return text
 
 
@@ -199,7 +196,7 @@ def run_warnings(results: Results) -> list[str]:
             one.first,
             one.last,
             one.count,
-            f"{one.worst:.4g} {one.unit}" if one.worst is not None else "-",
+            with_unit(f"{one.worst:.4g}", one.unit) if one.worst is not None else "-",
         )
         for one in found
     ]
@@ -266,7 +263,8 @@ def worst_contacts(results: Results) -> str:
     note = ""
     if has_pressure and not wires_yield(ledger).all():
         but = ", but where they yield" if wires_yield(ledger).any() else ""
-        note = f'<p class="note">Pressures are those of elastic wires{but}; {onsets_in_words()}.</p>'
+        beside = f"; {onsets_in_words()}" if ledger.units["pressure"] else ""
+        note = f'<p class="note">Pressures are those of elastic wires{but}{beside}.</p>'
     return note + "".join(
         _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MAX_CONTACTS]) for name, values in measures
     )
@@ -351,7 +349,7 @@ def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: boo
     heads = [name, "elements", "penetration", "force", "pressure", "current", "current density", "resistance", "angle"]
     # results of litz 0.1 have no pressures
     pressure = ledger["pressure"] if "pressure" in ledger else np.zeros(ledger.n_rows)
-    heads += ["step:increment", f"time [{unit['time']}]"] if with_time else []
+    heads += ["step:increment", f"time{in_brackets(unit['time'])}"] if with_time else []
     lines = []
     for k in rows:
         line = [
@@ -361,7 +359,7 @@ def _contact_table(name: str, ledger: Table, rows: np.ndarray, *, with_time: boo
             amount(ledger["force"][k], unit["force"]),
             amount(pressure[k], unit.get("pressure", "")),
             amount(ledger["current"][k], unit["current"]),
-            amount(density[k], f"{unit['current']}/{unit['semi_major']}^2"),
+            amount(density[k], per(unit["current"], unit["semi_major"] and f"{unit['semi_major']}^2")),
             amount(ledger["resistance"][k], unit["resistance"]),
             f"{np.degrees(ledger['angle'][k]):.1f}°",
         ]

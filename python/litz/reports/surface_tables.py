@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..base.quantities import in_brackets
 from ..base.table import Table
 from ..results import Results
 from .report_tables import amount, table
@@ -99,7 +100,7 @@ def _worst_of_each(keys: np.ndarray, values: np.ndarray) -> np.ndarray:
 def _contact_table(name: str, contacts: Table, rows: np.ndarray, *, with_time: bool = True) -> str:
     unit = contacts.units
     heads = [name, "wires", "surface", "penetration", "length", "force", "friction", "", "at"]
-    heads += ["step:increment", f"time [{unit['time']}]"] if with_time else []
+    heads += ["step:increment", f"time{in_brackets(unit['time'])}"] if with_time else []
     lines = []
     for k in rows:
         traction = float(np.linalg.norm([contacts[f"traction_{axis}"][k] for axis in "xyz"]))

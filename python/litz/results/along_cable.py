@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..base.quantities import in_brackets, per, unit_of_conductance
 from ..base.table import Table
 from .contact_places import rows_of
 from .result_file import ResultFile
@@ -100,11 +101,12 @@ class CurrentShares:
     def to_csv(self, path: str | PathLike) -> Path:
         """Write a row for each place: the currents of the wires, which are counted from 1, and their sum."""
         path = Path(path)
-        heads = [f"place [{self.unit['m']}]"]
-        heads += [f"wire {number + 1} [{self.unit['A']}]" for number in range(len(self.current))]
+        ampere = in_brackets(self.unit["A"])
+        heads = [f"place{in_brackets(self.unit['m'])}"]
+        heads += [f"wire {number + 1}{ampere}" for number in range(len(self.current))]
         with path.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
-            writer.writerow([*heads, f"total [{self.unit['A']}]"])
+            writer.writerow([*heads, f"total{ampere}"])
             writer.writerows(np.column_stack([self.place, self.current.T, self.total]).tolist())
         return path
 
@@ -236,11 +238,10 @@ def along_cable(results: ResultFile, increment: int, count: int) -> Table:
         upto += np.interp(edges, along, np.append(0.0, np.cumsum(of_elements)))
     columns["wire_heat_per_length"] = np.diff(upto) / width
     unit = results.unit_labels
-    siemens = "S" if unit["ohm"] == "ohm" else f"1/{unit['ohm']}"
-    units = {"place": unit["m"], "force_per_length": f"{unit['N']}/{unit['m']}"}
-    units |= {"conductance_per_length": f"{siemens}/{unit['m']}"}
+    units = {"place": unit["m"], "force_per_length": per(unit["N"], unit["m"])}
+    units |= {"conductance_per_length": per(unit_of_conductance(unit["ohm"]), unit["m"])}
     return Table(
-        columns, units | dict.fromkeys([name for name in columns if "heat" in name], f"{unit['W']}/{unit['m']}")
+        columns, units | dict.fromkeys([name for name in columns if "heat" in name], per(unit["W"], unit["m"]))
     )
 
 
@@ -263,7 +264,7 @@ def wire_heat(results: ResultFile, increment: int) -> Table:
         "per_length": (in_wires + in_contacts) / arcs.wire_length,
     }
     watt, m = results.unit_labels["W"], results.unit_labels["m"]
-    units = {"wire": "", "length": m, "along": watt, "contacts": watt, "total": watt, "per_length": f"{watt}/{m}"}
+    units = {"wire": "", "length": m, "along": watt, "contacts": watt, "total": watt, "per_length": per(watt, m)}
     return Table(columns, units)
 
 

@@ -111,19 +111,22 @@ class Circuit:
             writer.writerows(zip(*columns, strict=True))
         return path
 
+    def _named(self, name: str, unit: str) -> str:
+        """Name of a GraphML attribute, with its unit if the deck has any: "length", "m" -> "length_m"."""
+        return f"{name}_{self.unit[unit]}" if self.unit[unit] else name
+
     def to_graphml(self, path: str | PathLike) -> Path:
         """Write a GraphML file, which NetworkX, igraph, Gephi and others read; names hold the units.
 
         Points are nodes `point1`, `point2`, ...; pieces of wire have the contact 0.
         """
-        m, ohm, newton = self.unit["m"], self.unit["ohm"], self.unit["N"]
-        of_points = {"node": self.node, "wire": self.wire + 1, f"arc_{m}": self.arc}
-        of_points |= {f"{axis}_{m}": self.position[:, i] for i, axis in enumerate("xyz")}
+        of_points = {"node": self.node, "wire": self.wire + 1, self._named("arc", "m"): self.arc}
+        of_points |= {self._named(axis, "m"): self.position[:, i] for i, axis in enumerate("xyz")}
         of_edges = {
             "contact": self.contact,
-            f"resistance_{ohm}": self.resistance,
-            f"force_{newton}": self.force,
-            f"length_{m}": self.length,
+            self._named("resistance", "ohm"): self.resistance,
+            self._named("force", "N"): self.force,
+            self._named("length", "m"): self.length,
         }
         names = [f"point{number + 1}" for number in range(len(self.arc))]
         return write_graphml(path, "circuit", names, of_points, self.points, of_edges)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ..base.quantities import per
 from ..base.table import Table
 from .contact_places import contact_places
 from .contact_zones import contact_zones
@@ -38,7 +39,7 @@ def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.nd
             zones = contact_zones(places, units)
             columns["crossings"][place], columns["zones"][place] = (places.zone < 0).sum(), zones.n_rows
             columns["max_force_per_length"][place] = zones["max_force_per_length"].max(initial=0.0)
-    in_units = {"crossings": "", "zones": "", "force": units["N"], "max_force_per_length": f"{units['N']}/{units['m']}"}
+    in_units = {"crossings": "", "zones": "", "force": units["N"], "max_force_per_length": per(units["N"], units["m"])}
     return Table(columns, in_units)
 
 

@@ -46,4 +46,5 @@ def pressure_lines(results: ResultFile) -> list[str]:
     largest = f"  largest pressure       {ledger['pressure'][worst]:12.5g} {unit:4} in contact {ledger['id'][worst]}"
     if wires_yield(ledger)[worst]:
         return [f"{largest}, of wires that yield"]
-    return [f"{largest}, if the wires stay elastic", f"    {onsets_in_words()}"]
+    # numbers in unknown units cannot be compared
+    return [f"{largest}, if the wires stay elastic", *[f"    {onsets_in_words()}"] * bool(unit)]

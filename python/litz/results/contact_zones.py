@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..base.quantities import per, unit_of_conductance
 from ..base.table import Table
 from .contact_places import ContactPlaces
 
@@ -70,7 +71,7 @@ def contact_zones(places: ContactPlaces, units: dict[str, str]) -> Table:
         columns[name] = columns[total] / length
         columns[f"max_{name}"] = np.zeros(n)
         np.maximum.at(columns[f"max_{name}"], zone, np.abs(of_rows[name]))
-        in_units |= dict.fromkeys((name, f"max_{name}"), f"{in_units[total]}/{units['m']}")
+        in_units |= dict.fromkeys((name, f"max_{name}"), per(in_units[total], units["m"]))
     return Table(columns, in_units)
 
 
@@ -120,7 +121,7 @@ def _totals(places: ContactPlaces, group: np.ndarray, n: int) -> dict[str, np.nd
 
 
 def _units_of_totals(units: dict[str, str]) -> dict[str, str]:
-    conductance = "S" if units["ohm"] == "ohm" else f"1/{units['ohm']}"
+    conductance = unit_of_conductance(units["ohm"])
     return {"force": units["N"], "current": units["A"], "joule_heat": units["W"], "conductance": conductance}
 
 

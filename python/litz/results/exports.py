@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..base.names import unknown_name
 from ..base.packages import optional
+from ..base.quantities import in_brackets
 from ..base.table import Table
 from ..errors import FileError
 from .contact_places import contact_places
@@ -87,8 +88,8 @@ def _to_csv(results: ResultFile, base: Path) -> Path:
 def _write_rows(results: ResultFile, path: Path, tables: list[Table]) -> None:
     """The rows of a table at each increment; wires are counted from 1, as in the result file."""
     units = tables[0].units if tables else {}
-    heads = ["step", "increment", f"time [{results.unit_labels['s']}]"]
-    heads += [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
+    heads = ["step", "increment", f"time{in_brackets(results.unit_labels['s'])}"]
+    heads += [f"{name}{in_brackets(unit)}" for name, unit in units.items()]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(heads)
@@ -103,10 +104,10 @@ def _write_table(
     results: ResultFile, path: Path, what: str, ids: NDArray, first: dict[str, NDArray], names: list[str]
 ) -> None:
     """A row for each member and increment; vectors take three columns."""
-    heads = ["step", "increment", f"time [{results.unit_labels['s']}]", what]
+    heads = ["step", "increment", f"time{in_brackets(results.unit_labels['s'])}", what]
     for name in [*first, *names]:
         values = first[name] if name in first else results.field(name)
-        unit = "" if results.units[name] == "1" else f" [{results.units[name]}]"
+        unit = "" if results.units[name] == "1" else in_brackets(results.units[name])
         heads += [f"{name}{part}{unit}" for part in (("",) if values.ndim == 1 else ("_x", "_y", "_z"))]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")

@@ -25,7 +25,7 @@ def history_table(results: ResultFile) -> str:
     units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
 
     rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MAX_ROWS)).round().astype(int))
-    cells = [heads, [f"[{unit}]" if unit else "" for unit in units]]
+    cells = [heads, *[[f"[{unit}]" if unit else "" for unit in units]] * any(units)]
     cells += [[f"{column[row]:.7g}" for column in columns] for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(heads))]
     lines = ["  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]

@@ -113,7 +113,7 @@ class InterstrandResistance:
 
     def _units(self, *names: str) -> dict[str, str]:
         ohm, m = self.circuit.unit["ohm"], self.circuit.unit["m"]
-        return {**dict.fromkeys(names, ohm), "times_length": f"{ohm} {m}"}
+        return {**dict.fromkeys(names, ohm), "times_length": f"{ohm} {m}".strip()}
 
 
 def interstrand_resistance(

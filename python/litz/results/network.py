@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..base.packages import optional
+from ..base.quantities import in_brackets
 from ..base.table import Table
 from .contact_places import ContactPlaces, contact_places, rows_of
 from .contact_zones import contact_zones, stretch_along
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-#: Columns of the ledger that an edge carries, and the unit of each
+#: Columns of the ledger that an edge carries, and the unit of each by its symbol in SI
 _OF_CONTACT = {
     "force": "N",
     "gap": "m",
@@ -63,6 +64,8 @@ class ContactNetwork:
         its resistance.
     wires_at : dict of (m,) array of int
         The wires that have a node in each node set: `wires_at["PLUS"]` are those at this electrode.
+    units : dict of str
+        What the units are called, as `Results.unit_labels`.
 
     Notes
     -----
@@ -86,10 +89,19 @@ class ContactNetwork:
     voltage_gap: np.ndarray
     joule_heat: np.ndarray
     wires_at: dict[str, np.ndarray]
+    units: dict[str, str]
 
     def __repr__(self) -> str:
         """Sizes."""
         return f"<ContactNetwork: {len(self.wire_length)} wires, {len(self.id)} contacts>"
+
+    def _units_of_contact(self) -> dict[str, str]:
+        return {name: self.units.get(unit, unit) for name, unit in _OF_CONTACT.items()}
+
+    def _named(self, name: str, unit: str) -> str:
+        """Name of a GraphML attribute, with its unit: "length", "m" -> "length_m"."""
+        unit = self.units.get(unit, unit)
+        return f"{name}_{unit}" if unit else name
 
     def table(self) -> Table:
         """The contacts as a table, a row for each; wires are counted from 0, as in `wires`."""
@@ -97,7 +109,13 @@ class ContactNetwork:
         places |= {axis: self.point[:, i] for i, axis in enumerate("xyz")} | {"length": self.length}
         columns = {"id": self.id, "wire_1": self.wires[:, 0], "wire_2": self.wires[:, 1], **places}
         columns |= {name: getattr(self, name) for name in _OF_CONTACT}
-        units = {"id": "", "wire_1": "", "wire_2": "", **dict.fromkeys(places, "m"), **_OF_CONTACT}
+        units = {
+            "id": "",
+            "wire_1": "",
+            "wire_2": "",
+            **dict.fromkeys(places, self.units["m"]),
+            **self._units_of_contact(),
+        }
         return Table(columns, units)
 
     def to_pandas(self) -> "pd.DataFrame":
@@ -147,10 +165,9 @@ class ContactNetwork:
         path = Path(path)
         with path.open("w", newline="", encoding="utf-8") as file:
             table = csv.writer(file)
-            names = [f"{name} [{unit}]" for name, unit in _OF_CONTACT.items()]
-            table.writerow(
-                ["id", "wire_1", "wire_2", "arc_1 [m]", "arc_2 [m]", "x [m]", "y [m]", "z [m]", "length [m]", *names]
-            )
+            names = [f"{name}{in_brackets(unit)}" for name, unit in self._units_of_contact().items()]
+            places = [f"{name}{in_brackets(self.units['m'])}" for name in ("arc_1", "arc_2", "x", "y", "z", "length")]
+            table.writerow(["id", "wire_1", "wire_2", *places, *names])
             numbers = np.column_stack(
                 [self.arc, self.point, self.length, *(getattr(self, name) for name in _OF_CONTACT)]
             )
@@ -165,16 +182,16 @@ class ContactNetwork:
         """
         of_wire = {
             "first_element": self.first_element,
-            "length_m": self.wire_length,
-            "potential_V": self.wire_potential,
-            "current_A": self.wire_current,
+            self._named("length", "m"): self.wire_length,
+            self._named("potential", "V"): self.wire_potential,
+            self._named("current", "A"): self.wire_current,
         }
         of_contact = {
-            "arc_1_m": self.arc[:, 0],
-            "arc_2_m": self.arc[:, 1],
-            **{f"{axis}_m": self.point[:, i] for i, axis in enumerate("xyz")},
-            "length_m": self.length,
-            **{f"{name}_{unit}": getattr(self, name) for name, unit in _OF_CONTACT.items()},
+            self._named("arc_1", "m"): self.arc[:, 0],
+            self._named("arc_2", "m"): self.arc[:, 1],
+            **{self._named(axis, "m"): self.point[:, i] for i, axis in enumerate("xyz")},
+            self._named("length", "m"): self.length,
+            **{self._named(name, unit): getattr(self, name) for name, unit in _OF_CONTACT.items()},
         }
         names = [f"wire{wire + 1}" for wire in range(len(self.wire_length))]
         edges = [f"contact{contact}" for contact in self.id]
@@ -202,6 +219,7 @@ def contact_network(results: ResultFile, increment: int, *, every_place: bool = 
         wire_potential=np.array([potential[wire.nodes].mean() for wire in wires]),
         wire_current=wire_currents(results, increment),
         wires_at=_wires_at(results, wires),
+        units=results.unit_labels,
         **of_edges,
     )
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.names import unknown_name
+from ..base.notebook import shown_by
 from ..base.table import Table
 from . import along_cable, exports, interstrand, network, summary
 from .circuit import Circuit, build_circuit
@@ -43,6 +44,10 @@ class Results(ResultFile):
     >>> print(f"{1e3 * resistance[-1]:.3f} mohm, {results.contacts_at(-1)['force'][0]:.2f} N")
     0.936 mohm, 0.90 N
     """
+
+    def _repr_html_(self) -> str | None:
+        """The viewer with its data inside, for notebooks; also for those that are opened later without litz."""
+        return shown_by("viewer.inlined", self)
 
     @property
     def surface_forces(self) -> Table:

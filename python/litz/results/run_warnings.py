@@ -34,7 +34,7 @@ def read_warnings(path: Path) -> list[WarningEntry]:
                 last_time,
                 count,
                 worst if unit else None,
-                unit,
+                "" if unit == "-" else unit,
                 bool(is_rest),
             )
         )

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..base.names import unknown_name
+from ..base.quantities import per
 from .result_file import ResultFile
 
 # Fields with numbers and positions, which are not results
@@ -91,7 +92,7 @@ def scalars(results: ResultFile) -> dict[str, Scalar]:
         else:
             found[name] = Scalar(name, (name,), None, unit, at_nodes, name)
         if name == _HEAT:
-            per_length = f"{unit}/{results.unit_labels['m']}"
+            per_length = per(unit, results.unit_labels["m"])
             found[_HEAT_PER_LENGTH] = Scalar(
                 _HEAT_PER_LENGTH, (_HEAT_PER_LENGTH,), None, per_length, at_nodes, "Joule heat per length"
             )

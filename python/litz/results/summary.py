@@ -1,9 +1,11 @@
 """A page of text about a run."""
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
 
+from ..base.quantities import with_unit
 from ..base.table import Table
 from ..errors import WarningEntry
 from .contact_places import ContactPlaces, contact_places
@@ -14,6 +16,8 @@ from .surface_forces import surface_forces
 
 _MAX_ROWS = 30
 _MAX_PAIRS = 12
+#: Width of the names of numbers
+_NAME_WIDTH = 25
 
 
 def summary(results: ResultFile) -> str:
@@ -63,8 +67,9 @@ def _last_increment(results: ResultFile) -> str:
     places = contact_places(results, contacts)
     zones = contact_zones(places, unit)
     heat_wires, heat_contacts = results.field("joule_heat").sum(), contacts["joule_heat"].sum()
+    time = with_unit(f"{results.times[-1]:g}", unit["s"])
     lines = [
-        f"at time {results.times[-1]:g} {unit['s']} (step {results.steps[-1]}, increment {results.increments[-1]}):",
+        f"at time {time} (step {results.steps[-1]}, increment {results.increments[-1]}):",
         f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit),
@@ -84,7 +89,7 @@ def _last_increment(results: ResultFile) -> str:
     lines += [
         f"  {name}  {history[name][-1]:.8g} {history.units[name]}" for name in history if name.startswith("resistance ")
     ]
-    return "\n".join(lines + _pairs(places, zones, unit))
+    return "\n".join([_tidy(line) for line in lines] + _pairs(places, zones, unit))
 
 
 def _heat(results: ResultFile) -> list[str]:
@@ -141,6 +146,13 @@ def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list
     return lines
 
 
+def _tidy(line: str) -> str:
+    """A line without the blanks of units that have no name: before a comma or at the end, and for all units are 4 wide."""
+    name, rest = line[:_NAME_WIDTH], line[_NAME_WIDTH:]
+    number = rest[: len(rest) - len(rest.lstrip())]
+    return (name + number + re.sub(r"(?<=\S) +(?=[,;)]|$)", "", rest.lstrip())).rstrip()
+
+
 def _range(values: np.ndarray, unit: str) -> str:
     return f"{values.min():12.5g} {unit:4} to {values.max():.5g} {unit}"
 
@@ -187,7 +199,8 @@ def _cell(value: object) -> str:
 
 
 def _aligned(rows: list[tuple[str, ...]]) -> str:
-    """Columns flush right, the last one flush left."""
+    """Columns flush right, the last one flush left; without the row of units where none has a name."""
+    rows = [row for row in rows if any(row)]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     return "\n".join(
         "  ".join([*(cell.rjust(width) for cell, width in zip(row[:-1], widths[:-1], strict=True)), row[-1]]).rstrip()

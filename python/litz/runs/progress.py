@@ -44,6 +44,11 @@ def total_time(deck: Path, depth: int = 0) -> float:
     return total
 
 
+def someone_watches() -> bool:
+    """Whether progress can be seen: in a notebook, or on a terminal."""
+    return notebook.in_notebook() or sys.stderr.isatty()
+
+
 class Progress:
     """Shows the progress of a run, based on the lines that the program prints.
 

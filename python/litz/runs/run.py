@@ -26,7 +26,7 @@ from ..errors import (
 )
 from ..results import Results
 from ..results.run_warnings import read_warnings
-from .progress import Progress, total_time
+from .progress import Progress, someone_watches, total_time
 
 #: Time for the program to terminate, and between two looks at a file without which it is ended [s]
 _TERMINATION_TIMEOUT, _LOOK_INTERVAL = 5.0, 0.2
@@ -54,7 +54,7 @@ def run(
     threads: int | None = None,
     restart: str | os.PathLike[str] | None = None,
     quiet: bool = True,
-    progress: bool = False,
+    progress: bool | None = None,
 ) -> Results:
     """Run a deck and read its results.
 
@@ -72,8 +72,9 @@ def run(
         Restart file to continue from, or ``FILE:STEP:INCREMENT``, written by ``*RESTART, WRITE``.
     quiet : bool
         False: show the output of the program as it runs.
-    progress : bool
-        Show the progress of the run: a line on a terminal, a bar in a notebook, a few lines in a log.
+    progress : bool, optional
+        Show the progress of the run: a line on a terminal, a bar in a notebook, a few lines in a log. Left out: on a terminal
+        and in a notebook, unless the output of the program is shown.
 
     Returns
     -------
@@ -89,6 +90,8 @@ def run(
     RunWarning
         For each warning of the run, even if it ends with an error; `Results.warnings` has them as data.
     """
+    if progress is None:
+        progress = quiet and someone_watches()
     options = (deck, output_directory, solver, threads, restart, quiet, progress)
     try:
         results = run_silently(*options)

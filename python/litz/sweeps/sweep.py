@@ -24,6 +24,7 @@ import numpy as np
 
 from ..base import notebook
 from ..base.names import nearest_name
+from ..base.quantities import unit_of_conductance
 from ..deck import Deck
 from ..deck.lines import to_text
 from ..errors import FileError, LitzError
@@ -342,7 +343,7 @@ class _Run:
             if name.startswith(_RESISTANCE):
                 conductance = _CONDUCTANCE + name.removeprefix(_RESISTANCE)
                 values[conductance] = 1 / values[name] if values[name] else math.inf
-                self.units[conductance] = f"1/{history.units[name]}".replace("1/ohm", "S")
+                self.units[conductance] = unit_of_conductance(history.units[name])
         # a parameter of this name is in the table already
         return {name: value for name, value in values.items() if name not in self.parameters}
 

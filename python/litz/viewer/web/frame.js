@@ -44,7 +44,7 @@ export function drawCompass(svg, stage, lengthUnit) {
    const pixels = length * stage.pixelsPerMetre;
    const [factor, unit] = engineering(length, lengthUnit);
    parts.push(svgElement("line", { x1: 100 - pixels, y1: 50, x2: 100, y2: 50, "stroke-width": 3 }));
-   const text = `${Number((factor * length).toPrecision(3))} ${unit}`;
+   const text = `${Number((factor * length).toPrecision(3))} ${unit}`.trim();
    parts.push(svgElement("text", { x: 100 - pixels / 2, y: 42 }, text));
    svg.querySelector("g").replaceChildren(...parts);
 }
