@@ -16,13 +16,14 @@ module litz_contact_crossings
    use litz_contact_lens, only: is_at_cut_end
    use litz_contact_matching, only: match_points, slides_of
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_wire_t, pair_geometry, axis_of_pair, &
-      holds_angle, settle_angle, away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
+      away_from, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, inherit
    use litz_contact_side, only: have_passed
    use litz_element_library, only: elements_t
    use litz_end_kinematics, only: end_kinematics
    use litz_joint_radii, only: add_balls, largest_radius
    use litz_model, only: model_t, axis_hermite
    use litz_parallel, only: worth_threads
+   use litz_settled_angles, only: holds_angle, settle_angle
    use litz_start_crossings, only: crossing_at_start, relative_motion
    use litz_straight_segments, only: segment_distance
    use litz_wires, only: wires_t, arc_from_to

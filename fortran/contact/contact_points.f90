@@ -26,16 +26,13 @@ module litz_contact_points
    private
    public :: contact_point_t, contact_set_t, points_by_wire_t, points_by_place_t, leg_t, joint_parts_t
    public :: law_ok, law_parallel, law_bad_data, law_too_curved, law_compacts
-   public :: holds_angle, settle_angle, pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, &
-      add_taper, chain_by_wire, chain_by_place, inherit, is_contact_of
+   public :: pair_geometry, away_from, axis_of_pair, arc_at, crossing_at, clearance_of, add_taper, chain_by_wire, &
+      chain_by_place, inherit, is_contact_of
 
    !> What has become of the laws of a contact: nothing; the axes are parallel, so that there is no Hertz ellipse; the
    !> data of the law are none for it; a wire is curved about the other so much that the foot of a line is hardly known;
    !> the spot of wires that yield is too large for their thickness
    integer, parameter :: law_ok = 0, law_parallel = 1, law_bad_data = 2, law_too_curved = 3, law_compacts = 4
-
-   !> In units of xi: nearer to a node than this the angle of a crossing stays within an iteration
-   real(dp), parameter :: near_node = 0.1_dp
 
    !> A stretch of a wire of a contact, up to its next round end or joint: one on which the contact is, or one that
    !> leads away from a joint near by.
@@ -454,23 +451,6 @@ contains
       point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares
-
-   !> The places at which the angle is taken are on the elements of the contact, and not far from it.
-   pure logical function holds_angle(point)
-      type(contact_point_t), intent(in) :: point
-
-      holds_angle = all(point%angle_element == [point%element_bar, point%element]) .and. &
-         all(abs(point%angle_at - [point%xi_bar, point%xi]) < 2*near_node)
-   end function holds_angle
-
-   !> The places at which the angle is taken, from now on.
-   pure subroutine settle_angle(point)
-      type(contact_point_t), intent(inout) :: point
-
-      point%angle_element = [point%element_bar, point%element]
-      point%angle_at = [point%xi_bar, point%xi]
-      point%angle_stays = any(abs(point%angle_at) > 1 - near_node)
-   end subroutine settle_angle
 
    !> The contact is on both of these legs: the first one of the barred, the second one of the unbarred wire.
    elemental logical function is_contact_of(leg_bar, leg)

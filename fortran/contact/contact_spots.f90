@@ -80,6 +80,7 @@ contains
       !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: barred before unbarred
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(contact_point_t), intent(in) :: point
+      !> dG/dtheta [S/rad]
       real(dp), intent(out) :: by_angle
       type(contact_point_t) :: turned(2)
       type(spot_in_circuit_t) :: circuit(2)

@@ -123,6 +123,7 @@ contains
 
    !> Of an angle up to nearly 90 degrees.
    pure real(dp) function cosine(sine)
+      !> [-]
       real(dp), intent(in) :: sine
 
       cosine = sqrt(max(epsilon(sine), (1 - sine)*(1 + sine)))

@@ -8,7 +8,7 @@ module litz_line_shares
    use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
       place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
-      settle_angle, law_too_curved
+      law_too_curved
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
@@ -21,6 +21,7 @@ module litz_line_shares
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
+   use litz_settled_angles, only: settle_angle
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
       least_sine
    use litz_wires, only: wires_t

@@ -11,15 +11,16 @@ module litz_normal_forces
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
-   use litz_law_input, only: earlier_dent_t, wire_pair_t
+   use litz_law_input, only: wire_pair_t
    use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
    use litz_lens_law, only: lens_t, lens_force, lens_energy
    use litz_line_point, only: force_of_line
-   use litz_line_law, only: line_wires_t, line_wires, line_force_t
+   use litz_line_law, only: line_force_t
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
+   use litz_turned_lenses, only: line_of_point, turn_lens
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, overlap_of_yielding_lens, &
       with_dent
    use litz_yielding_place, only: place_state_t, state_of_place, place_force
@@ -32,8 +33,6 @@ module litz_normal_forces
 
    !> At first touch the line of the Hertz law goes to the force of an overlap of at most this fraction of the radius
    real(dp), parameter :: first_overlap = 1.0e-3_dp
-   !> Change of the angle of a lens over its sine, for differences
-   real(dp), parameter :: small_turn = 1.0e-3_dp
 
 contains
 
@@ -428,49 +427,6 @@ contains
       call follow_cut(weight, point)
    end subroutine press_yielding_lens
 
-   !> How force and energy of a lens of wires that have yielded change with the angle, by differences.
-   pure subroutine turn_lens(normal, pair, point, overlap, law)
-      type(normal_law_t), intent(in) :: normal
-      type(wire_pair_t), intent(in) :: pair
-      type(contact_point_t), intent(in) :: point
-      !> [m]
-      real(dp), intent(in) :: overlap
-      !> In: at the angle of the point
-      type(force_of_gap_t), intent(inout) :: law
-      type(contact_point_t) :: turned
-      type(yielding_lens_t) :: lens(2)
-      !> With the dent that is felt at either angle, at the angle of the point, and at the opposite one
-      type(lens_state_t) :: own(2), same(2), other(2)
-      type(earlier_dent_t) :: felt
-      real(dp) :: change
-      integer :: side
-
-      change = small_turn*point%law_sine
-      do side = 1, 2
-         turned = point
-         turned%law_angle = point%law_angle + (2*side - 3)*change
-         turned%law_sine = sin(turned%law_angle)
-         turned%line = line_of_point(pair, turned)
-         lens(side) = lens_of_wires(normal, pair, turned)
-         own(side) = state_of_lens(lens(side), overlap)
-      end do
-      law%dforce_dangle = (own(2)%law%force - own(1)%law%force)/(2*change)
-      same = own
-      ! the torque is that of the dent as it is
-      if (abs(lens(2)%felt - lens(1)%felt) > 0) then
-         felt = earlier_dent_t(force=point%felt_force)
-         do side = 1, 2
-            same(side) = state_of_lens(with_dent(lens(side), felt), overlap)
-            other(side) = state_of_lens(with_dent(lens(side), earlier_dent_t(force=lens(3 - side)%felt)), overlap)
-         end do
-         law%growth = (same(2)%law%force - same(1)%law%force)/(2*change) - law%dforce_dangle
-      end if
-      law%denergy_dangle = (same(2)%law%energy - same(1)%law%energy)/(2*change)
-      law%d2energy_dangle2 = (same(2)%law%energy - 2*law%energy + same(1)%law%energy)/change**2
-      if (abs(lens(2)%felt - lens(1)%felt) > 0) law%d2energy_dangle2 = law%d2energy_dangle2 &
-         + (own(2)%law%energy + own(1)%law%energy - other(2)%law%energy - other(1)%law%energy)/(2*change)**2
-   end subroutine turn_lens
-
    !> A point of a line contact: the law per length times the length that it stands for, linearised about the gap that
    !> was predicted: what the motion has done to the gap besides is a matter of the next step, not of the force.
    pure subroutine press_line(penalty, point)
@@ -507,15 +463,5 @@ contains
       point%yielded = point%weight*state%dissipated
       point%yielding_force = state%strip%force
    end subroutine follow_place
-
-   !> The law per length of a point, at the angle of the lens to which it belongs.
-   pure type(line_wires_t) function line_of_point(pair, point) result(line)
-      type(wire_pair_t), intent(in) :: pair
-      type(contact_point_t), intent(in) :: point
-
-      line = line_wires(pair, point%law_angle)
-      line%section = point%section_share*line%section
-      line%electric_section = point%section_share*line%electric_section
-   end function line_of_point
 
 end module litz_normal_forces

@@ -66,7 +66,7 @@ def pressed(force):
 def led_into_contact(degrees, force):
     return (
         f"*STEP\n*STATIC\n 1., 1.\n{HELD} HEAD, 3, 3, {-approach(degrees, force)}\n HEAD, 6\n{PRINT}"
-        + f"*STEP\n*STATIC\n 1., 1.\n{HELD} HEAD, 6\n{pressed(force)}{PRINT}"
+        f"*STEP\n*STATIC\n 1., 1.\n{HELD} HEAD, 6\n{pressed(force)}{PRINT}"
     )
 
 

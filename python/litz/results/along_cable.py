@@ -69,10 +69,6 @@ class CurrentShares:
         Places along the axis of the cable, from its lower end [m]; where all wires reach.
     current : (n_wires, m) array
         Current of each wire there, positive along the axis [A]; 0 where a wire does not reach.
-    total : (m,) array
-        Their sum [A].
-    share : (n_wires, m) array
-        Current over their sum; nan where the sum is zero.
     unit : dict of str
         Labels of the units of the deck, as `Results.unit_labels`.
     """
@@ -93,7 +89,7 @@ class CurrentShares:
 
     @property
     def share(self) -> np.ndarray:
-        """Current of each wire over the sum of all, (n_wires, m)."""
+        """Current of each wire over the sum of all, (n_wires, m); nan where that is zero."""
         total = self.total
         none = np.abs(total) <= _ROUND_OFF * np.abs(self.current).sum(axis=0).max()
         return self.current / np.where(none, np.nan, total)

@@ -1,0 +1,74 @@
+!> The law per length at the angle of a point, and how a lens of wires that have yielded changes with that angle.
+!>
+!> Source: theory sections 10 and 15.
+module litz_turned_lenses
+   use litz_kinds, only: dp
+   use litz_contact_points, only: contact_point_t
+   use litz_law_input, only: earlier_dent_t, wire_pair_t
+   use litz_line_law, only: line_wires_t, line_wires
+   use litz_normal_law, only: normal_law_t, force_of_gap_t
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, with_dent
+   use litz_yielding_wires, only: lens_of_wires
+   implicit none
+   private
+   public :: line_of_point, turn_lens
+
+   !> Change of the angle of a lens over its sine, for differences
+   real(dp), parameter :: small_turn = 1.0e-3_dp
+
+contains
+
+   !> The law per length of a point, at the angle of the lens to which it belongs.
+   pure type(line_wires_t) function line_of_point(pair, point) result(line)
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+
+      line = line_wires(pair, point%law_angle)
+      line%section = point%section_share*line%section
+      line%electric_section = point%section_share*line%electric_section
+   end function line_of_point
+
+   !> How force and energy of a lens of wires that have yielded change with the angle, by differences.
+   pure subroutine turn_lens(normal, pair, point, overlap, law)
+      type(normal_law_t), intent(in) :: normal
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> [m]
+      real(dp), intent(in) :: overlap
+      !> In: at the angle of the point
+      type(force_of_gap_t), intent(inout) :: law
+      type(contact_point_t) :: turned
+      type(yielding_lens_t) :: lens(2)
+      !> With the dent that is felt at either angle, at the angle of the point, and at the opposite one
+      type(lens_state_t) :: own(2), same(2), other(2)
+      type(earlier_dent_t) :: felt
+      real(dp) :: change
+      integer :: side
+
+      change = small_turn*point%law_sine
+      do side = 1, 2
+         turned = point
+         turned%law_angle = point%law_angle + (2*side - 3)*change
+         turned%law_sine = sin(turned%law_angle)
+         turned%line = line_of_point(pair, turned)
+         lens(side) = lens_of_wires(normal, pair, turned)
+         own(side) = state_of_lens(lens(side), overlap)
+      end do
+      law%dforce_dangle = (own(2)%law%force - own(1)%law%force)/(2*change)
+      same = own
+      ! the torque is that of the dent as it is
+      if (abs(lens(2)%felt - lens(1)%felt) > 0) then
+         felt = earlier_dent_t(force=point%felt_force)
+         do side = 1, 2
+            same(side) = state_of_lens(with_dent(lens(side), felt), overlap)
+            other(side) = state_of_lens(with_dent(lens(side), earlier_dent_t(force=lens(3 - side)%felt)), overlap)
+         end do
+         law%growth = (same(2)%law%force - same(1)%law%force)/(2*change) - law%dforce_dangle
+      end if
+      law%denergy_dangle = (same(2)%law%energy - same(1)%law%energy)/(2*change)
+      law%d2energy_dangle2 = (same(2)%law%energy - 2*law%energy + same(1)%law%energy)/change**2
+      if (abs(lens(2)%felt - lens(1)%felt) > 0) law%d2energy_dangle2 = law%d2energy_dangle2 &
+         + (own(2)%law%energy + own(1)%law%energy - other(2)%law%energy - other(1)%law%energy)/(2*change)**2
+   end subroutine turn_lens
+
+end module litz_turned_lenses
