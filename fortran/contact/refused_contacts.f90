@@ -2,6 +2,7 @@
 module litz_refused_contacts
    use litz_contact_points, only: contact_point_t, law_parallel, law_bad_data, law_too_curved, law_compacts
    use litz_errors, only: error_t, fail, exit_input
+   use litz_line_contact, only: line_obstacle
    use litz_model, only: model_t
    use litz_text, only: to_text
    use litz_yielding_spot, only: widest_spot
@@ -15,7 +16,7 @@ contains
    pure function refused_contact(model, points) result(reason)
       type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason
+      character(len=:), allocatable :: reason, obstacle
       integer :: i
 
       reason = ''
@@ -25,6 +26,8 @@ contains
          case (law_parallel)
             reason = 'wires have become parallel where they touch ('//elements_of(model, points(i))// &
                '): the law of a contact at a point needs wires that cross'
+            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
             return
          case (law_too_curved)
             reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &

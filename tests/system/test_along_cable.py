@@ -26,7 +26,7 @@ JOINT = LineJoint(LENGTH, CONDUCTANCE, *(wire.resistivity / (np.pi * wire.radius
 def joint(run):
     """Results of a lap joint: 1 V from the start of the first wire to the end of the second one."""
     text = pressed_pair(PAIR, [OVERLAP], LENGTH, 100, spot=uniform_spot(CONDUCTANCE), potentials="lap")
-    process, results = run(text)
+    process, results = run("*UNITS, SYSTEM=SI\n" + text)
     assert process.returncode == 0, process.stderr
     return results
 

@@ -43,6 +43,6 @@ def test_the_axis_passes_the_top_of_the_arch(litz, tmp_path, angles, backwards):
     deck.write_text(arch(angles, backwards))
     process = litz("check", deck)
     assert process.returncode == 0, process.stderr
-    (gap,) = re.findall(r"gap +(\S+) m", process.stdout)
+    (gap,) = re.findall(r"gap +(\S+)", process.stdout)
     # cubics through points at 0.1 rad are within R 0.1^4/384 of the circle, and tangents of parabolas within 0.1^3
     assert float(gap) == pytest.approx(GAP, abs=2e-6)

@@ -202,7 +202,7 @@ class TestWhatIsRefused:
 def motion_solves(folder):
     """How often a run has solved for motions: rows of the convergence file with another correction of theirs."""
     lines = next(folder.glob("**/*.cvg")).read_text(encoding="utf-8").splitlines()
-    column = lines[0].split().index("displacement[m]")
+    column = lines[0].split().index("displacement")
     corrections = [line.split()[column] for line in lines]
     return sum(a != b for a, b in itertools.pairwise(corrections[1:]))
 

@@ -93,9 +93,9 @@ def run(litz, tmp_path):
     return run_of_deck(litz, tmp_path, loop)
 
 
-def assert_same(one, other):
+def assert_same(one, other, rel=2e-6):
     for name in ("force", "resistance", "temperature_1", "temperature_max"):
-        np.testing.assert_allclose(one.contacts_at(-1)[name], other.contacts_at(-1)[name], rtol=2e-6, err_msg=name)
+        np.testing.assert_allclose(one.contacts_at(-1)[name], other.contacts_at(-1)[name], rtol=rel, err_msg=name)
     motion = other.field("displacement")
     np.testing.assert_allclose(one.field("displacement"), motion, atol=1e-6 * abs(motion).max())
 
@@ -116,7 +116,8 @@ def test_it_converges_quadratically_in_the_factorisations_of_the_motions_alone(r
         assert max(rates) > 1.7, (field, part)
     assert full.contacts_at(-1)["temperature_max"][0] > 350
     turns = run(solver=TURNS)
-    assert_same(full, turns)
+    # shares and torques of contacts are those of an earlier state of each increment
+    assert_same(full, turns, rel=5e-5)
     assert solves < motion_solves(tmp_path)
     run(solver="", procedure="*STATIC")
     assert solves <= motion_solves(tmp_path) + 3 * increments
@@ -136,7 +137,8 @@ def test_a_mat_is_that_of_turns(litz, tmp_path, results_of):
     done = litz("run", tmp_path / "turns.inp", "-o", tmp_path / "turns", "--quiet")
     assert done.returncode == 0, done.stderr
     turns = Results(tmp_path / "turns")
-    assert_same(full, turns)
+    # shares and torques of contacts are those of an earlier state of each increment
+    assert_same(full, turns, rel=5e-5)
     assert full.status["iterations"].sum() < 0.75 * turns.status["iterations"].sum()
 
 

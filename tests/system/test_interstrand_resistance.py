@@ -48,8 +48,7 @@ class TestRunsThatDriveACurrent:
             [[3]], radius=0.41e-3, lay_lengths=[80e-3], length=10e-3, interaction=litz.Interaction(conductance=law)
         )
         wires = model.groups["LAYER1"].wires
-        with pytest.warns(litz.RunWarning, match="no prescribed potential"):
-            results = driven(model, wires[0], wires[1], tmp_path)
+        results = driven(model, wires[0], wires[1], tmp_path)
         resistance = results.history["resistance FIRST to SECOND"][-1]
         found = results.interstrand_resistance()
         assert found.matrix[0, 1] == pytest.approx(resistance, rel=1e-7)
@@ -62,8 +61,7 @@ class TestRunsThatDriveACurrent:
             interaction=litz.Interaction(conductance=litz.HertzSpot()),
         )  # fmt: skip
         wires = model.groups["LAYER1"].wires
-        with pytest.warns(litz.RunWarning, match="no prescribed potential"):
-            results = driven(model, wires[1], wires[4], tmp_path)
+        results = driven(model, wires[1], wires[4], tmp_path)
         first, second = wire_numbers(results, wires[1], wires[4])
         found = results.interstrand_resistance()
         resistance = results.history["resistance FIRST to SECOND"][-1]
@@ -75,8 +73,7 @@ class TestRunsThatDriveACurrent:
         """Three bundles: lines within them, crossings between them."""
         model = build.cable([[3], [3]], radius=0.41e-3, lay_lengths=[20e-3, 40e-3], length=10e-3)
         wires = model.groups["LAYER1"].wires
-        with pytest.warns(litz.RunWarning, match="no prescribed potential"):
-            results = driven(model, wires[0], wires[5], tmp_path, pull=-20e-6)
+        results = driven(model, wires[0], wires[5], tmp_path, pull=-20e-6)
         found = results.interstrand_resistance()
         assert found.matrix[0, 5] == pytest.approx(results.history["resistance FIRST to SECOND"][-1], rel=1e-7)
         assert found.stage[0].tolist() == [0, 1, 1, 2, 2, 2, 2, 2, 2]
@@ -91,8 +88,7 @@ class TestRunsThatDriveACurrent:
         step.potential("BUNDLE1_MINUS", 1e-3)
         step.potential("BUNDLE3_MINUS", 0)
         step.electrode_print("BUNDLE1_MINUS", "BUNDLE3_MINUS")
-        with pytest.warns(litz.RunWarning, match="no prescribed potential"):
-            results = model.run(tmp_path)
+        results = model.run(tmp_path)
         expected = results.history["resistance BUNDLE1_MINUS to BUNDLE3_MINUS"][-1]
         found = results.interstrand_resistance()
         assert found.between("BUNDLE1", "BUNDLE3") == pytest.approx(expected, rel=1e-7)

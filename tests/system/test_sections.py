@@ -12,6 +12,7 @@ G = E / (2 * (1 + NU))
 
 #: A cantilever along x, with a force at its end
 DECK = """\
+*UNITS, SYSTEM=SI
 *NODE, NSET=ALL
  1, 0, 0, 0
  2, 50, 0, 0
