@@ -37,6 +37,8 @@ contains
             reason = 'the spot of wires that yield ('//elements_of(model, points(i))//') has the area of a circle'// &
                ' of more than '//to_text(widest_spot)//' times the radius of the thinner wire: the metal is'// &
                ' compacted, which YIELD of *SURFACE BEHAVIOR does not describe'
+            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
             return
          end select
       end do

@@ -166,7 +166,7 @@ class TestPictures:
 
     def test_a_hairpin_has_currents_and_no_shares(self, run):
         text = pressed_pair(PAIR, [OVERLAP], LENGTH, 40, spot=uniform_spot(CONDUCTANCE), potentials="hairpin")
-        _, results = run(text)
+        _, results = run("*UNITS, SYSTEM=SI\n" + text)
         assert np.isnan(results.current_shares().share).all()
         upper, _ = axes_of("shares", results)
         assert upper.get_title() == "Current of each wire"
@@ -195,7 +195,7 @@ class TestPictures:
 
     def test_inclined_wires_are_ellipses(self, tmp_path):
         """Crossed at 60 degrees to the plane: half-axes r and r/sin(60 degrees)."""
-        model = litz.Model("two inclined wires")
+        model = litz.Model("two inclined wires", units="SI")
         steel = litz.Material("STEEL", young=200e9, poisson=0.3)
         lean = math.tan(math.radians(30))
         for k, sign in enumerate((1, -1)):
@@ -224,7 +224,7 @@ class TestPictures:
 
     def test_plates_are_lines(self, tmp_path):
         """Two plates above and below two wires along x."""
-        model = litz.Model("between plates")
+        model = litz.Model("between plates", units="SI")
         steel = litz.Material("STEEL", young=200e9, poisson=0.3)
         wire = model.wire("W", (0, 0, 0), (10e-3, 0, 0), radius=1e-3, material=steel, elements=4)
         model.wire("V", (0, 2.5e-3, 0), (10e-3, 2.5e-3, 0), radius=1e-3, material=steel, elements=4)

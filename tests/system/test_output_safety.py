@@ -342,7 +342,7 @@ def test_whatever_fits_on_the_disk_can_be_read(litz_program, litz, tmp_path):
             [*limited, litz_program, "run", deck, "-o", directory], capture_output=True, text=True, check=False
         )
 
-    for _, done, output in two_at_a_time(run, range(40, 1240, 20), tmp_path):
+    for _, done, output in two_at_a_time(run, range(40, 1420, 20), tmp_path):
         assert done.returncode == 4
         reached.add(readable(output, whole))
         if (output / "deck.restart.h5").exists():

@@ -34,8 +34,10 @@ def check(litz, tmp_path):
     """Check a deck that must be accepted without a warning, and return the lines of the summary."""
 
     def run(deck):
-        units = "" if "*UNITS" in deck else "*UNITS, SYSTEM=SI\n"
-        (tmp_path / "deck.inp").write_bytes((units + deck).encode())
+        units = "" if "units" in deck.lower() else "*UNITS, SYSTEM=SI\n"
+        (tmp_path / "deck.inp").write_bytes(
+            (deck[:1] + units + deck[1:] if deck.startswith("\ufeff") else units + deck).encode()
+        )
         result = litz("check", "deck.inp", cwd=tmp_path)
         assert (result.returncode, result.stderr) == (0, "")
         return result.stdout.splitlines()
