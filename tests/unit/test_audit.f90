@@ -12,6 +12,7 @@ program test_audit
    use litz_model, only: model_t, nodal_value_t
    use litz_normal_laws, only: normal_law
    use litz_state, only: state_t
+   use litz_unit_labels, only: si_labels
    implicit none
 
    real(dp), parameter :: radius = 1.0e-3_dp, half = 0.05_dp, f = 8, i = 3, overlap = 1.0e-5_dp
@@ -243,6 +244,7 @@ contains
    subroutine make_model(model)
       type(model_t), intent(out) :: model
 
+      model%units = si_labels
       model%n_nodes = 4
       model%n_elements = 2
       model%node_id = [11, 12, 13, 14]
