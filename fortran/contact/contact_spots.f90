@@ -19,6 +19,7 @@ module litz_contact_spots
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
+   use litz_turned_lenses, only: turned_by
    use litz_wires, only: wires_t
    use litz_yielded_cells, only: find_yielded_cell, find_yielded_lens
    use litz_yielded_spots, only: find_yielded_spot, has_yielded_spot
@@ -45,7 +46,6 @@ contains
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(spot_in_circuit_t), intent(out) :: circuit
-
       real(dp) :: slope, curvature, by_angle
 
       circuit%series_resistance = pair%series_resistance
@@ -88,9 +88,7 @@ contains
       integer :: side
 
       change = small_turn*point%law_sine
-      turned = point
-      turned%law_angle = point%law_angle + [-change, change]
-      turned%law_sine = sin(turned%law_angle)
+      turned = [turned_by(point, -change), turned_by(point, change)]
       call apply_normal_law(model, elements, turned)
       do side = 1, 2
          turned(side)%line = line_of_point(pair, turned(side))

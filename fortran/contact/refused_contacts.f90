@@ -16,7 +16,7 @@ contains
    pure function refused_contact(model, points) result(reason)
       type(model_t), intent(in) :: model
       type(contact_point_t), intent(in) :: points(:)
-      character(len=:), allocatable :: reason, obstacle
+      character(len=:), allocatable :: reason
       integer :: i
 
       reason = ''
@@ -25,9 +25,7 @@ contains
          select case (points(i)%law_status)
          case (law_parallel)
             reason = 'wires have become parallel where they touch ('//elements_of(model, points(i))// &
-               '): the law of a contact at a point needs wires that cross'
-            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
-            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
+               '): the law of a contact at a point needs wires that cross'//beside_lines(model, points(i))
             return
          case (law_too_curved)
             reason = 'a wire is curved about another where they touch ('//elements_of(model, points(i))// &
@@ -36,13 +34,21 @@ contains
          case (law_compacts)
             reason = 'the spot of wires that yield ('//elements_of(model, points(i))//') has the area of a circle'// &
                ' of more than '//to_text(widest_spot)//' times the radius of the thinner wire: the metal is'// &
-               ' compacted, which YIELD of *SURFACE BEHAVIOR does not describe'
-            obstacle = line_obstacle(model%interactions(model%contact_pairs(points(i)%pair)%interaction))
-            if (len(obstacle) > 0) reason = reason//'; along a line '//obstacle//' is not possible'
+               ' compacted, which YIELD of *SURFACE BEHAVIOR does not describe'//beside_lines(model, points(i))
             return
          end select
       end do
    end function refused_contact
+
+   !> What keeps these wires from touching along a line instead; empty: nothing.
+   pure function beside_lines(model, point) result(words)
+      type(model_t), intent(in) :: model
+      type(contact_point_t), intent(in) :: point
+      character(len=:), allocatable :: words
+
+      words = line_obstacle(model%interactions(model%contact_pairs(point%pair)%interaction))
+      if (len(words) > 0) words = '; along a line '//words//' is not possible'
+   end function beside_lines
 
    !> The first contact whose spot law does not take its data; no increment is small enough for that.
    subroutine refuse_bad_data(model, points, error)

@@ -11,7 +11,7 @@ module litz_turned_lenses
    use litz_yielding_wires, only: lens_of_wires
    implicit none
    private
-   public :: line_of_point, turn_lens
+   public :: line_of_point, turned_by, turn_lens
 
    !> Change of the angle of a lens over its sine, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
@@ -27,6 +27,17 @@ contains
       line%section = point%section_share*line%section
       line%electric_section = point%section_share*line%electric_section
    end function line_of_point
+
+   !> The point with another angle of its law, and all else as it was.
+   pure type(contact_point_t) function turned_by(point, change) result(turned)
+      type(contact_point_t), intent(in) :: point
+      !> [rad]
+      real(dp), intent(in) :: change
+
+      turned = point
+      turned%law_angle = point%law_angle + change
+      turned%law_sine = sin(turned%law_angle)
+   end function turned_by
 
    !> How force and energy of a lens of wires that have yielded change with the angle, by differences.
    pure subroutine turn_lens(normal, pair, point, overlap, law)
@@ -47,9 +58,7 @@ contains
 
       change = small_turn*point%law_sine
       do side = 1, 2
-         turned = point
-         turned%law_angle = point%law_angle + (2*side - 3)*change
-         turned%law_sine = sin(turned%law_angle)
+         turned = turned_by(point, (2*side - 3)*change)
          turned%line = line_of_point(pair, turned)
          lens(side) = lens_of_wires(normal, pair, turned)
          own(side) = state_of_lens(lens(side), overlap)
