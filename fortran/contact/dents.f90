@@ -215,8 +215,9 @@ contains
       dent%dissipation = dent%dissipation + point%yielded
       if (dent%force > 0 .and. point%line_place == 0) dent%left = part_left(law, wires, pair, point, dent)
       dent%felt = felt_here(law, pair, point, dent)
-      if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt .and. .not. is_capped(point, dent)) then
-         dent%force = point%yielding_force
+      if (point%yielding_force > 0 .and. point%yielding_force >= dent%felt) then
+         ! less than what is left of the largest force where the spot is shorter at this angle: that stays
+         dent%force = max(point%yielding_force, dent%left*dent%force)
          ! a larger force at less overlap, as the spot has grown longer, does not fill what has been pressed deeper; of
          ! that the part is left which is left of its force: yielding metal has forces about in proportion to overlaps
          dent%overlap = dent%left*dent%overlap
@@ -227,15 +228,6 @@ contains
       dent%overlap = max(dent%overlap, -point%gap)
       dent%felt = felt_here(law, pair, point, dent)
    end subroutine follow_dent
-
-   !> The contact has not left its dent, of which less is felt only because the spot is shorter at this angle: the force
-   !> that made it stays the largest one, and the overlap tells what is felt.
-   pure logical function is_capped(point, dent)
-      type(contact_point_t), intent(in) :: point
-      type(dent_memory_t), intent(in) :: dent
-
-      is_capped = point%line_place == 0 .and. dent%left >= 1 .and. point%yielding_force < dent%force
-   end function is_capped
 
    !> Force of a dent that is felt at the present angle [N], of a place of a line per length [N/m].
    pure real(dp) function felt_here(law, pair, point, dent) result(felt)

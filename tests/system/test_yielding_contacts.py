@@ -285,6 +285,22 @@ def test_wires_that_turn_back_feel_their_dent_as_before(run):
     assert found[-1]["largest_force"] == pytest.approx(largest, rel=1e-9)
 
 
+def test_wires_that_are_pressed_on_while_they_turn_keep_their_dent(run):
+    """At 25 degrees to 2 um; to 80 degrees, where the spot is shorter, and to 2.04 um on the way; let go and turned back. The
+    force at 80 degrees is the largest one there, but not the largest of all."""
+    process, results = run(
+        carried(
+            25, turn(2e-6), turn(2.04e-6, 55, increments=20), turn(1.98e-6, 55), turn(1.98e-6, 0, increments=20)
+        )  # fmt: skip
+    )
+    assert process.returncode == 0, process.stderr
+    largest = law(2e-6, degrees=25).force
+    assert law(2.04e-6, degrees=80).force < largest
+    last = contacts(results)[-1]
+    assert last["largest_force"] == pytest.approx(largest, rel=1e-9)
+    assert last["force"] == pytest.approx(law(1.98e-6, largest, degrees=25).force, rel=1e-9)
+
+
 @pytest.mark.parametrize("lift", [False, True])
 def test_a_larger_force_at_less_overlap_does_not_fill_a_dent(run, lift):
     """Pressed to 2 um and let go to 1.6 um, at right angles; at 30 degrees, where the spot is longer, the same overlap takes
