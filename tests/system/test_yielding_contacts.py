@@ -289,9 +289,7 @@ def test_wires_that_are_pressed_on_while_they_turn_keep_their_dent(run):
     """At 25 degrees to 2 um; to 80 degrees, where the spot is shorter, and to 2.04 um on the way; let go and turned back. The
     force at 80 degrees is the largest one there, but not the largest of all."""
     process, results = run(
-        carried(
-            25, turn(2e-6), turn(2.04e-6, 55, increments=20), turn(1.98e-6, 55), turn(1.98e-6, 0, increments=20)
-        )  # fmt: skip
+        carried(25, turn(2e-6), turn(2.04e-6, 55, increments=20), turn(1.98e-6, 55), turn(1.98e-6, 0, increments=20))
     )
     assert process.returncode == 0, process.stderr
     largest = law(2e-6, degrees=25).force
