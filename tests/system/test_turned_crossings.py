@@ -229,3 +229,31 @@ def test_the_work_of_turning_bent_wires_is_what_they_hold(run):
     change = history["ETOTAL"][turning] - history["ETOTAL"][~turning][-1]
     assert np.abs(change).max() < 0.04 * history["ALLCCE"].max()
     assert history["ALLCCE"][-1] > 1.3 * history["ALLCCE"][~turning][-1]
+
+
+def test_wires_that_cross_at_a_node_of_both_are_turned(run):
+    """Held at their ends they bend in the plane of contact, so that their curvature has a jump at the crossing: the contact
+    does not go from one element to the other for ever."""
+    half, angle = 15e-3, math.radians(4)
+    s = np.linspace(-half, half, 15)
+    points = [
+        np.column_stack([s, 0 * s, 0 * s]),
+        np.column_stack([s * math.cos(angle), s * math.sin(angle), 0 * s + HEIGHT]),
+    ]
+    head = f"*NODE, NSET=HEAD\n {HEAD}, 0., 0., {HEIGHT}\n*RIGID BODY, REF NODE={HEAD}, TIE NSET=UPPER\n"
+    deck = wires(4, HERTZ, points).replace(head, "")
+    first, last = UPPER, UPPER + 14
+    ends = f"*BOUNDARY, OP=NEW\n LOWER, 9\n UPPER, 9\n {LOWER}, ENCASTRE\n {LOWER + 14}, ENCASTRE\n"
+    for turned_by in (0, -2):
+        turn = math.radians(turned_by)
+        motion = f" {first}, 4, 5\n {last}, 4, 5\n"
+        for node, sign in ((first, -1), (last, 1)):
+            x = sign * half * (math.cos(angle + turn) - math.cos(angle))
+            y = sign * half * (math.sin(angle + turn) - math.sin(angle))
+            motion += (
+                f" {node}, 1, 1, {x:.17g}\n {node}, 2, 2, {y:.17g}\n {node}, 3, 3, -3e-5\n {node}, 6, 6, {turn:.17g}\n"
+            )
+        deck += f"*STEP, INC=200\n*STATIC\n 0.1, 1., 1e-3, 0.1\n{ends}{motion}*END STEP\n"
+    results = solved(run(deck))
+    assert results.contacts_at(-1)["force"].sum() > 1
+    assert results.status["iterations"].max() < 12
