@@ -12,8 +12,8 @@ module litz_line_shares
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_lens_growth, only: settle_growth
+   use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing

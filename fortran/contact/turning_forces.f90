@@ -31,8 +31,7 @@ contains
       type(contact_point_t), intent(inout) :: point
       !> Tangent (24, 24) and residual (24)
       real(dp), intent(out) :: k(n_motions, n_motions), r(n_motions)
-      type(turning_t) :: law
-      type(turning_t) :: settled
+      type(turning_t) :: law, settled
       real(dp) :: unused(n_motions), slope
 
       k = 0
@@ -45,10 +44,12 @@ contains
       settled = settled_turning(point)
       point%torque = law%denergy + settled%denergy
       r = point%torque*point%kinematics%dangle
-      if (point%active .and. point%stiffness > 0) point%turning = turning_of(point, point%at_mixed)
+      slope = 0
       associate (turning => point%turning)
-         slope = 0
-         if (point%active .and. point%stiffness > 0) slope = (turning%dforce + turning%growth)/point%stiffness
+         if (point%active .and. point%stiffness > 0) then
+            turning = turning_of(point, point%at_mixed)
+            slope = (turning%dforce + turning%growth)/point%stiffness
+         end if
          ! at first touch no force is known yet
          if (.not. point%geometric_force > 0) turning = turning_t(0.0_dp, turning%dforce*slope, turning%dforce, &
             turning%growth)

@@ -47,6 +47,11 @@ def in_brackets(unit: str) -> str:
     return f" [{unit}]" if unit else ""
 
 
+def attribute(name: str, unit: str) -> str:
+    """Name of an attribute of a file, with its unit if that has a name: "length", "m" -> "length_m"."""
+    return f"{name}_{unit}" if unit else name
+
+
 def per(unit: str, other: str) -> str:
     """The unit of a quotient: "N", "m" -> "N/m"; "" of a deck that does not name its units."""
     return f"{unit}/{other}" if unit and other else ""

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.packages import optional
+from ..base.quantities import attribute, in_brackets
 from ..base.table import Table
 from .contact_places import rows_of
 from .graphml import write_graphml
@@ -106,27 +107,23 @@ class Circuit:
         counted = ("point_1", "point_2", "wire_1", "wire_2")
         with path.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
-            writer.writerow([f"{name} [{unit}]" if unit else name for name, unit in table.units.items()])
+            writer.writerow([f"{name}{in_brackets(unit)}" for name, unit in table.units.items()])
             columns = [(table[name] + (name in counted)).tolist() for name in table]
             writer.writerows(zip(*columns, strict=True))
         return path
-
-    def _named(self, name: str, unit: str) -> str:
-        """Name of a GraphML attribute, with its unit if the deck has any: "length", "m" -> "length_m"."""
-        return f"{name}_{self.unit[unit]}" if self.unit[unit] else name
 
     def to_graphml(self, path: str | PathLike) -> Path:
         """Write a GraphML file, which NetworkX, igraph, Gephi and others read; names hold the units.
 
         Points are nodes `point1`, `point2`, ...; pieces of wire have the contact 0.
         """
-        of_points = {"node": self.node, "wire": self.wire + 1, self._named("arc", "m"): self.arc}
-        of_points |= {self._named(axis, "m"): self.position[:, i] for i, axis in enumerate("xyz")}
+        of_points = {"node": self.node, "wire": self.wire + 1, attribute("arc", self.unit["m"]): self.arc}
+        of_points |= {attribute(axis, self.unit["m"]): self.position[:, i] for i, axis in enumerate("xyz")}
         of_edges = {
             "contact": self.contact,
-            self._named("resistance", "ohm"): self.resistance,
-            self._named("force", "N"): self.force,
-            self._named("length", "m"): self.length,
+            attribute("resistance", self.unit["ohm"]): self.resistance,
+            attribute("force", self.unit["N"]): self.force,
+            attribute("length", self.unit["m"]): self.length,
         }
         names = [f"point{number + 1}" for number in range(len(self.arc))]
         return write_graphml(path, "circuit", names, of_points, self.points, of_edges)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..base.packages import optional
-from ..base.quantities import in_brackets
+from ..base.quantities import attribute, in_brackets
 from ..base.table import Table
 from .contact_places import ContactPlaces, contact_places, rows_of
 from .contact_zones import contact_zones, stretch_along
@@ -100,8 +100,7 @@ class ContactNetwork:
 
     def _named(self, name: str, unit: str) -> str:
         """Name of a GraphML attribute, with its unit: "length", "m" -> "length_m"."""
-        unit = self.units.get(unit, unit)
-        return f"{name}_{unit}" if unit else name
+        return attribute(name, self.units.get(unit, unit))
 
     def table(self) -> Table:
         """The contacts as a table, a row for each; wires are counted from 0, as in `wires`."""
