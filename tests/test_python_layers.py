@@ -25,7 +25,7 @@ MAY_IMPORT = {
     "build": {"errors", "base", "kernels", "wires", "deck", "model"},
     "sweeps": {"errors", "base", "deck", "results", "runs", "model"},
     "percolation": {"build", "results"},
-    "pictures": {"errors", "base", "wires", "results"},
+    "pictures": {"errors", "base", "wires", "results", "model"},
     "viewer": {"errors", "base", "wires", "results", "pictures"},
     "reports": {"errors", "base", "wires", "results", "pictures", "viewer"},
     "hosts": {"errors", "deck", "model", "runs", "kernels"},

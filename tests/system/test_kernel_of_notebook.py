@@ -15,6 +15,11 @@ CELLS = [
     "litz.view(results, open_browser=False)",
     "results",
     """
+model = litz.Model('a wire')
+wire = model.wire('W', (0, 0, 0), (0, 0, 1), elements=4, radius=0.01, material=litz.COPPER)
+model
+""",
+    """
 from litz.viewer.server import _IN_NOTEBOOK
 from urllib.request import urlopen
 [server] = _IN_NOTEBOOK.values()
@@ -34,7 +39,7 @@ def outputs(inputs, tmp_path, litz_program, monkeypatch):
 
 
 def test_a_kernel_shows_bars_tables_pictures_and_the_viewer(outputs):
-    run, table, picture, sweep, viewer, link, inlined, served = outputs
+    run, table, picture, sweep, viewer, link, inlined, model, served = outputs
     assert '<progress value="1.000"' in run[0]["text/html"]
     assert "08_elastica: finished" in run[0]["text/plain"]
     assert "<th>time</th>" in table[0]["text/html"]
@@ -47,6 +52,9 @@ def test_a_kernel_shows_bars_tables_pictures_and_the_viewer(outputs):
     assert '<iframe srcdoc="&lt;!DOCTYPE html&gt;' in inlined[0]["text/html"]
     assert "127.0.0.1" not in inlined[0]["text/html"]
     assert "08_elastica.vtkhdf: 21 nodes" in inlined[0]["text/plain"]
+    assert "W: 1 wire, 4 B33 elements" in model[0]["text/html"]
+    assert '<img src="data:image/png;base64,' in model[0]["text/html"]
+    assert "<Model 'a wire': 5 nodes, 4 elements" in model[0]["text/plain"]
     # the second viewer of a file ends the first
     url, answered = served[0]["text"].split()
     assert f'<a href="{url}"' in link[0]["text/html"]

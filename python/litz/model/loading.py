@@ -30,6 +30,18 @@ def directions_of(card: str, value: str) -> dict[str, int]:
     return directions
 
 
+def direction_names(numbers: Iterable[int]) -> list[str]:
+    """Names of degrees of freedom.
+
+    Examples
+    --------
+    >>> direction_names([3, 4, 9])
+    ['z', 'rx', 'potential']
+    """
+    names = {number: name for name, number in directions_of("BOUNDARY", "first").items()}
+    return [names[number] for number in numbers]
+
+
 def degrees_of_freedom(field: str) -> range:
     """Numbers of the degrees of freedom of a field.
 

@@ -4,8 +4,10 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from ..base.notebook import shown_by
 from ..results import Results
 from ..runs.run import run
+from .description import described
 from .loaded_model import LoadedModel
 from .write_deck import deck_text
 from .write_mesh import write_mesh_file
@@ -77,6 +79,10 @@ class Model(LoadedModel):
       <Step STEP1: time 1, first increment 0.1; 3 prescribed; ELECTRODE PRINT>>
     >>> results = model.run("results/crossed")   # doctest: +SKIP
     """
+
+    def _repr_html_(self) -> str:
+        """What the model has, and a small picture of its wires, for notebooks."""
+        return described(self, shown_by("pictures.model_picture", self))
 
     def to_deck(self) -> str:
         """The deck as text."""

@@ -144,7 +144,7 @@ class SceneMaker:
         positions, slopes = (
             before + self._scale * (after - before) for before, after in zip(self._rest, now, strict=True)
         )
-        points, starts = _sample(positions, slopes, wires, n)
+        points, starts = sample_wires(positions, slopes, wires, n)
         has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
         spots, sizes = self._marks.spots(increment, (positions, slopes))
         lines, on_lines = self._marks.lines(increment, (positions, slopes))
@@ -152,9 +152,9 @@ class SceneMaker:
         return Scene(
             points=points,
             starts=starts,
-            radius=_along(np.repeat(results.radius[:, None], 2, axis=1), wires, n),
-            value=_along(self._factor * end_values(results, self._scalar, increment), wires, n),
-            reference=_sample(*self._rest, wires, n)[0] if has_reference else np.zeros((0, 3)),
+            radius=along_wires(np.repeat(results.radius[:, None], 2, axis=1), wires, n),
+            value=along_wires(self._factor * end_values(results, self._scalar, increment), wires, n),
+            reference=sample_wires(*self._rest, wires, n)[0] if has_reference else np.zeros((0, 3)),
             reference_starts=starts if has_reference else np.zeros(0, dtype=int),
             surface_points=corners,
             surface_quads=quads,
@@ -190,7 +190,7 @@ class SceneMaker:
         return np.concatenate(points), np.concatenate(quads), np.concatenate(rims)
 
 
-def _sample(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:
+def sample_wires(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:
     """Points along all wires, n per element and one at the end, and the first of each wire."""
     xi = np.linspace(-1, 1, n + 1)
     points, starts = [], [0]
@@ -206,8 +206,8 @@ def _sample(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int
     return np.concatenate(points), np.array(starts)
 
 
-def _along(ends: np.ndarray, wires: list[Wire], n: int) -> np.ndarray:
-    """Values at the points of `_sample`, linear between the two ends (n_elements, 2) of each element."""
+def along_wires(ends: np.ndarray, wires: list[Wire], n: int) -> np.ndarray:
+    """Values at the points of `sample_wires`, linear between the two ends (n_elements, 2) of each element."""
     fraction = np.arange(n) / n
     values = []
     for wire in wires:

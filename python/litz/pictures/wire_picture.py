@@ -31,6 +31,8 @@ _MIN_SPOT = 0.007
 # Layers of a stroke, from rim to core: width, brightness, and how far it reaches into the next stroke (part of its length),
 # the brighter ones farther, so that no seams are seen
 _LAYERS = ((1.0, 0.55, 0.02), (0.8, 0.8, 0.06), (0.55, 1.0, 0.10), (0.25, 1.25, 0.14))
+# Wires up to this width [points] have one layer: more are not seen apart
+_THIN, _LAYER_OF_THIN = 1.5, ((1.0, 0.85, 0.1),)
 # Thickness over diameter of a spot that is seen from its edge
 _MIN_THICKNESS = 0.18
 # Width of the lines of contact in radii, and its range in points and in pixels
@@ -271,8 +273,9 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     colour = mpl.colormaps[scene.colours](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
     width = 2 * np.maximum(scene.radius[first], _MIN_RADIUS * camera.half_width) * points_per_metre
 
-    order = np.repeat(np.argsort(depth), len(_LAYERS))
-    thickness, shade, reach = np.tile(np.array(_LAYERS), (len(depth), 1)).T
+    layers = _LAYERS if width.max() > _THIN else _LAYER_OF_THIN
+    order = np.repeat(np.argsort(depth), len(layers))
+    thickness, shade, reach = np.tile(np.array(layers), (len(depth), 1)).T
     strokes = segments[order] + reach[:, None, None] * (segments - segments[:, ::-1])[order]
     shaded = np.clip(colour[order] * shade[:, None], 0, 1)
     axes.add_collection(

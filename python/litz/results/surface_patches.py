@@ -54,15 +54,17 @@ def surface_patches(results: ResultFile, increments: list[int]) -> list[Patch]:
         return []
     rows = np.unique(results.elements)
     looks = increments[:: max(1, len(increments) // _MAX_LOOKS)] + increments[-1:]
-    margin = _MARGIN_IN_RADII * results.radius.max()
+    radius = results.radius.max()
     patches = []
     for surface in results.rigid_surfaces.values():
         seen = [surface.brought_back(results, results.positions(k)[rows], k) for k in looks]
-        patches.append(_patch(surface, np.concatenate(seen), margin))
+        patches.append(patch_around(surface, np.concatenate(seen), radius))
     return patches
 
 
-def _patch(surface: SurfaceShape, seen: np.ndarray, margin: float) -> Patch:
+def patch_around(surface: SurfaceShape, seen: np.ndarray, radius: float) -> Patch:
+    """A patch of a surface beside points (n, 3) of wires of a radius, as seen from the surface [m]."""
+    margin = _MARGIN_IN_RADII * radius
     first, second = _perpendicular(surface.direction)
     arms = seen - surface.point
     if surface.shape == "PLANE":
