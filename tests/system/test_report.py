@@ -29,6 +29,10 @@ def plain(text):
 
 
 class TestPage:
+    def test_it_is_the_same_when_processes_share_the_work(self, grid, page, tmp_path):
+        shared = litz.report(grid, tmp_path / "shared.html", processes=2)
+        assert shared.read_text(encoding="utf-8") == page
+
     def test_it_needs_nothing_from_outside(self, page):
         addresses = re.findall(r'(?:src|href)="([^"]{0,30})', page)
         assert addresses

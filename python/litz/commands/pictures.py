@@ -1,7 +1,9 @@
 """The commands `litz plot`, `litz report` and `litz view`."""
 
 import argparse
+import os
 import re
+import sys
 from pathlib import Path
 
 from ..pictures.animation import animate
@@ -129,5 +131,7 @@ def report_command(arguments: list[str]) -> int:
     parser = results_parser("report", "Write one HTML page about a run, which needs nothing beside it.")
     parser.add_argument("-o", "--output", metavar="PAGE", help="default: STEM_report.html next to the results")
     options = parser.parse_args(arguments)
-    print(f"report: {report(options.results, options.output)}")
+    # Linux alone forks without harm, and says how many processors there are for this process
+    processes = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
+    print(f"report: {report(options.results, options.output, processes=processes if processes > 1 else 0)}")
     return 0

@@ -15,7 +15,7 @@ from PIL import Image
 from ..base.notebook import Picture
 from ..errors import FileError
 from ..results import Results
-from .plots import STYLE, Look, box_pixels, new_figure, place_wires, show_dollars, title, with_increments
+from .plots import STYLE, Look, box_pixels, new_figure, place_wires, title, with_increments
 from .scene import aim
 from .wire_picture import render
 
@@ -105,7 +105,6 @@ def _frames(results: Results, increments: list[int], look: Look, size: tuple[int
 
 
 def _pixels(figure: Figure) -> np.ndarray:
-    show_dollars(figure)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     return np.asarray(canvas.buffer_rgba())[..., :3].copy()

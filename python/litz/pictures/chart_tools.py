@@ -1,5 +1,7 @@
 """What charts share: legends beside the data, equal curves drawn as one, and what is only round-off."""
 
+import math
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.legend import Legend
@@ -10,6 +12,7 @@ from ..wires.chains import Wire
 
 # Curves that differ by less, relative to the largest value of all, are the same curve: what an iteration leaves
 _SAME_CURVE = 1e-6
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # Of curves that are one, so many are named
 _MAX_NAMES = 3
 
@@ -17,6 +20,17 @@ _MAX_NAMES = 3
 def legend_beside(axes: Axes, **options: object) -> Legend:
     """A legend at the right of the axes, where it hides no data."""
     return axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
+
+
+def power_of_ten(value: float) -> str:
+    """A power of ten as text.
+
+    Examples
+    --------
+    >>> power_of_ten(1e-12), power_of_ten(1000.0)
+    ('10⁻¹²', '10³')
+    """
+    return "10" + str(round(math.log10(value))).translate(_SUPERSCRIPTS)
 
 
 def equal_curves(curves: list[np.ndarray]) -> list[list[int]]:

@@ -6,13 +6,13 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator, StrMethodFormatter
 
 from ..base.quantities import engineering, label, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
-from .chart_tools import equal_curves, has_force, legend_beside, name_of_group, wire_names
+from .chart_tools import equal_curves, has_force, legend_beside, name_of_group, power_of_ten, wire_names
 
 Colour = str | tuple[float, float, float, float]
 
@@ -21,6 +21,8 @@ _ONE_COLOUR = "#2a6f97"
 MAX_LINES = 12
 # Forces that differ by less, relatively, are the same force: what an iteration leaves
 _SAME_FORCE = 1e-6
+# Largest over smallest value of a logarithmic axis with plain numbers
+_FEW_DECADES = 200
 
 
 def resistance(figure: Figure, results: Results, increment: int) -> None:
@@ -157,12 +159,19 @@ def _loading_and_return(axes: Axes, force: np.ndarray, ohms: np.ndarray, colour:
 
 
 def _number_log_axis(axis: Axis) -> None:
-    """Plain numbers, several in each decade, where there are few decades; else powers of ten."""
+    """Plain numbers, several in each decade, where there are few decades; else powers of ten.
+
+    As text and not as formulas, whose parsing takes longer than all else of a chart.
+    """
     low, high = axis.get_view_interval()
-    if high / low < 200:
+    axis.set_minor_formatter(NullFormatter())
+    # each mark costs as much as a curve
+    axis.set_minor_locator(NullLocator())
+    if high / low < _FEW_DECADES:
         axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high / low > 10 else (1, 1.5, 2, 3, 4, 5, 6, 8)))
         axis.set_major_formatter(StrMethodFormatter("{x:g}"))
-        axis.set_minor_formatter(NullFormatter())
+    else:
+        axis.set_major_formatter(FuncFormatter(lambda value, _: power_of_ten(value)))
 
 
 def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
@@ -221,6 +230,7 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
         fontsize="small",
     )
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    _number_log_axis(axes.yaxis)
     axes.set_xlabel("iteration")
     axes.set_ylabel("residual / allowed")
     legend_beside(axes)
@@ -251,6 +261,7 @@ def residual_lines(axes: Axes, table: Table, name: str) -> None:
         axes.semilogy(rows["iteration"], rows[f"{name}_allowed"], "--", color=colour, linewidth=0.9, alpha=0.8)
     axes.set_title(f"{name.capitalize()} residual, dashed: allowed")
     axes.set_ylabel(label("norm", engineering(np.zeros(1), table.units[name])[1]))
+    _number_log_axis(axes.yaxis)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
 
 

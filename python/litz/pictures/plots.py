@@ -5,13 +5,14 @@ import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.text import Text
+from matplotlib.layout_engine import TightLayoutEngine
+from PIL import Image
 
 from ..base.names import unknown_name
 from ..base.notebook import Picture
@@ -29,6 +30,8 @@ STYLE = {
     "axes.titlesize": 11,
     "axes.titleweight": "bold",
     "axes.titlelocation": "left",
+    # as low as it gets: matplotlib would measure all labels to find out
+    "axes.titley": 1.0,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -39,15 +42,19 @@ STYLE = {
     "legend.fontsize": "small",
     "lines.linewidth": 1.6,
     "savefig.facecolor": "white",
+    # headings and names of decks are shown as they are, dollar signs too
+    "text.parse_math": False,
 }
 _DPI = 150
 _MIN_PIXELS = 200
-#: Quality of compressed pictures (WebP), of 100
-_QUALITY = 88
+#: Formats of pixels, and options of Pillow: the quality of WebP is of 100
+_PIXEL_FORMATS: dict[str, dict[str, int]] = {".png": {}, ".webp": {"quality": 88, "method": 2}}
 #: Where the wires are in a picture of them: left, bottom, width, height
 _WIRES_BOX = (0.01, 0.13, 0.98, 0.76)
 #: Of what stands at the right of an overview, relative to its width
 _RIGHT_EDGE = 0.99
+#: Space around charts, in sizes of the font and in inches
+_PAD, _INCHES = 0.8, 0.1
 #: Width that axes keep beside the longest texts, relative to their own
 _LEAST_SHARE = 0.5
 
@@ -189,13 +196,25 @@ def begin_wires(
 
 def _save(figure: Figure, path: Path) -> None:
     """Write a figure; its layout is found once, and not again whenever it is drawn."""
+    canvas = FigureCanvasAgg(figure)
     layout = figure.get_layout_engine()
-    show_dollars(figure)
     if layout is not None:
+        for spine in (spine for axes in figure.axes for spine in axes.spines.values()):
+            # the labels reach farther
+            spine.set_in_layout(False)
+        if all(axes.get_subplotspec() is not None for axes in figure.axes):
+            # no colour bars: what is measured once is enough
+            layout = TightLayoutEngine(pad=_PAD)
+            figure.set_layout_engine(layout)
         layout.execute(figure)
         figure.set_layout_engine("none")
-    options: dict[str, Any] = {"pil_kwargs": {"quality": _QUALITY, "method": 2}} if path.suffix == ".webp" else {}
-    figure.savefig(path, dpi="figure", **options)
+    if path.suffix not in _PIXEL_FORMATS:
+        figure.savefig(path, dpi="figure")
+        return
+    # `savefig` would go through the whole figure once more before
+    canvas.draw()
+    pixels = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    pixels.save(path, dpi=(figure.dpi, figure.dpi), **_PIXEL_FORMATS[path.suffix])
 
 
 def with_increments(results: Results | str | Path) -> Results:
@@ -214,21 +233,6 @@ def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> F
     if width < _MIN_PIXELS or height < _MIN_PIXELS:
         raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_MIN_PIXELS} each way")
     return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
-
-
-def show_dollars(figure: Figure) -> None:
-    """Show headings, names and units as they are: matplotlib takes what is between dollar signs for formulas.
-
-    Only the numbers at the axes, which litz sets itself, are formulas.
-    """
-    axes = [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
-    ticks = [tick for axis in axes for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())]
-    numbers = {id(text) for tick in ticks for text in (tick.label1, tick.label2)} | {
-        id(axis.offsetText) for axis in axes
-    }
-    for text in figure.findobj(Text):
-        if id(text) not in numbers:
-            text.set_parse_math(False)
 
 
 def title(results: Results, increment: int) -> str:
@@ -295,7 +299,7 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
 
 def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[float, float]]:
     def make(figure: Figure, results: Results, increment: int, look: Look) -> None:
-        figure.set_layout_engine("constrained")
+        figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
         draw(figure, results, increment)
 
     return make, size
@@ -307,12 +311,12 @@ def _contacts(figure: Figure, results: Results, increment: int) -> None:
 
 
 def _lines(figure: Figure, results: Results, increment: int, look: Look) -> None:
-    figure.set_layout_engine("constrained")
+    figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
     zone_charts.lines(figure, results, increment, look.wire)
 
 
 def _section(figure: Figure, results: Results, increment: int, look: Look) -> None:
-    figure.set_layout_engine("constrained")
+    figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
     cable_charts.section(figure, results, increment, look.field, look.place)
 
 
@@ -342,8 +346,6 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     for box, draw in zip(boxes, drawers, strict=False):
         draw(figure.add_axes(box), results, increment)
         places.append(len(figure.axes))
-    # the texts are measured as they will be shown
-    show_dollars(figure)
     for first, stop in itertools.pairwise(places):
         _narrow(figure, figure.axes[first:stop])
 

@@ -105,14 +105,7 @@ def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -
     right.set_ylabel(label("force per length", unit))
     right.set_ylim(bottom=0)
     handles = [each.get_lines()[0] for each in (axes, right)]
-    axes.legend(
-        handles,
-        [each.get_label() for each in handles],
-        loc="lower right",
-        bbox_to_anchor=(1.0, 1.0),
-        ncols=2,
-        borderaxespad=0.0,
-    )
+    axes.legend(handles, [each.get_label() for each in handles], loc="best")
 
 
 def contacts(figure: Figure, results: Results, increment: int) -> None:

@@ -5,6 +5,8 @@ import html
 import math
 import tempfile
 import warnings
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from ..errors import FileError
@@ -16,12 +18,15 @@ from ..results.scalars import default_scalar
 from ..viewer.data import WebData
 from ..viewer.page import evenly_chosen, page, viewer, viewer_style
 from . import report_tables as tables
+from . import side_by_side
 from .surface_tables import surface_contacts_of_iterate, surfaces
 
 # Maximum size of the data of the three-dimensional view, as text before compression [bytes]
 _MAX_DATA = 30e6
 _MAX_DECK_LENGTH = 200_000
 _MAX_WIRES = 300
+# Results that several processes read at a time: larger ones take much memory in each [bytes]
+_MAX_FORKED = 50e6
 # Size of pictures of the wires, and resolution of charts: twice what the page shows [pixels]
 _SIZE_OF_WIRES = (1200, 840)
 _PIXELS_PER_INCH = 110
@@ -51,7 +56,7 @@ summary { cursor: pointer; }
 """
 
 
-def report(results: Results | str | Path, filename: str | Path | None = None) -> Path:
+def report(results: Results | str | Path, filename: str | Path | None = None, *, processes: int = 0) -> Path:
     """Write a page about a run: model, convergence, balances, worst contacts, pictures, and the interactive model.
 
     The page is self-contained and needs no network. For a run that did not converge it reports what failed and where,
@@ -63,6 +68,8 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
         What `Results` takes.
     filename : path, optional
         The page. Default: `STEM_report.html` beside the results.
+    processes : int
+        Processes that draw charts beside this one, from which they are forked: only for programs with a single thread.
 
     Returns
     -------
@@ -73,13 +80,21 @@ def report(results: Results | str | Path, filename: str | Path | None = None) ->
     if results.path.stem.endswith("_unconverged"):
         results = Results(results.path.with_name(results.path.name.replace("_unconverged", "")))
     path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_report.html")
+    if results.path.stat().st_size > _MAX_FORKED:
+        processes = 0
     with results.kept_open():
-        path.write_text(_page(results), encoding="utf-8")
+        path.write_text(_page(results, processes), encoding="utf-8")
     return path
 
 
-def _page(results: Results) -> str:
+def _page(results: Results, processes: int) -> str:
     """The page as text."""
+    with tempfile.TemporaryDirectory() as folder:
+        finish = _begin_pictures(results, Path(folder), processes) if len(results.times) else list
+        return _with_pictures(results, finish)
+
+
+def _with_pictures(results: Results, finish_pictures: Callable[[], list[str]]) -> str:
     title = (results.heading.strip() or results.path.stem).splitlines()[0]
     sections = [
         f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(results.path.name)}, made by litz {html.escape(results.version)}</p>",
@@ -98,7 +113,7 @@ def _page(results: Results) -> str:
     if len(results.times):
         sections += [*_stage(results), *tables.line_contact(results)]
         sections += ["<h2>Worst contacts</h2>", tables.worst_contacts(results)]
-        sections += [*surfaces(results), *_pictures(results)]
+        sections += [*surfaces(results), *finish_pictures()]
     sections += ["<h2>Deck</h2>", _deck(results)]
     return page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style())
 
@@ -131,8 +146,8 @@ def _failure(results: Results) -> list[str]:
     return found
 
 
-def _pictures(results: Results) -> list[str]:
-    """The pictures that this run has something for."""
+def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[[], list[str]]:
+    """The pictures that this run has something for, which are drawn until they are asked for."""
     wanted: list[tuple[str, str, dict[str, str]]] = [
         ("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})
     ]
@@ -161,18 +176,25 @@ def _pictures(results: Results) -> list[str]:
         wanted.append(("friction", "Friction.", {}))
     if len(results.history) > 3:
         wanted.append(("history", "Output requested in the deck.", {}))
-    with tempfile.TemporaryDirectory() as folder:
-        paths = [Path(folder, f"{number}.webp") for number in range(len(wanted))]
-        wires = [number for number, (kind, _, _) in enumerate(wanted) if kind == "wires"]
-        finish = begin_wires(
-            results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES
-        )
-        for (kind, _, _), picture in zip(wanted, paths, strict=True):
-            if kind != "wires":
-                plot(results, kind, picture, size=_sizes(kind))
-        finish()
+    paths = [folder / f"{number}.webp" for number in range(len(wanted))]
+    charts = [
+        (path, partial(plot, results, kind, path, size=_sizes(kind)))
+        for path, (kind, _, _) in zip(paths, wanted, strict=True)
+        if kind != "wires"
+    ]
+    finish_charts = side_by_side.begin(charts, processes)
+    wires = [number for number, (kind, _, _) in enumerate(wanted) if kind == "wires"]
+    finish_wires = begin_wires(
+        results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES
+    )
+
+    def finish() -> list[str]:
+        finish_charts()
+        finish_wires()
         figures = [_figure(picture, text) for picture, (_, text, _) in zip(paths, wanted, strict=True)]
-    return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
+        return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
+
+    return finish
 
 
 def _figure(picture: Path, text: str) -> str:
