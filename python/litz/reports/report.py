@@ -177,7 +177,7 @@ def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[
     if len(results.history) > 3:
         wanted.append(("history", "Output requested in the deck.", {}))
     paths = [folder / f"{number}.webp" for number in range(len(wanted))]
-    charts = [
+    charts: list[side_by_side.Job] = [
         (path, partial(plot, results, kind, path, size=_sizes(kind)))
         for path, (kind, _, _) in zip(paths, wanted, strict=True)
         if kind != "wires"

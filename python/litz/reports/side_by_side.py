@@ -1,21 +1,21 @@
 """Pictures that are drawn in several processes at a time."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 #: A file, and what makes it
 Job = tuple[Path, Callable[[], object]]
 
 
-def begin(jobs: list[Job], processes: int) -> Callable[[], None]:
+def begin(jobs: Sequence[Job], processes: int) -> Callable[[], None]:
     """Make files in processes that are forked from this one, beside what it does until it calls what is returned.
 
     What is returned makes the files that are missing, as without further processes: errors are raised where everyone sees them.
 
     Parameters
     ----------
-    jobs : list of tuple
+    jobs : sequence of tuple
         Files that do not exist, and what makes each of them in one go.
     processes : int
         Processes besides this one; 0: none. More are for programs with a single thread.
@@ -33,7 +33,7 @@ def begin(jobs: list[Job], processes: int) -> Callable[[], None]:
     return finish
 
 
-def _fork(jobs: list[Job]) -> int:
+def _fork(jobs: Sequence[Job]) -> int:
     """Number of a process that makes files; where it fails, one may be missing or broken, which is removed."""
     child = os.fork()
     if child:
