@@ -1,9 +1,14 @@
-"""Makes the pictures of the tutorials anew, by the code that the tutorials show: `python docs/site/pictures.py`."""
+"""Makes the pictures of the documents anew: `python docs/site/pictures.py`, or some of them, such as `pictures.py viewer rope`.
+
+Those of the tutorials by the code that the tutorials show, the others by `COMMANDS`; the viewer with a headless Chromium
+(`apt-get install chromium chromium-driver`). `house.svg` is drawn by hand.
+"""
 
 import re
 import subprocess
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 from PIL import Image
@@ -11,19 +16,64 @@ from PIL import Image
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 
+sys.path.insert(0, str(ROOT / "tests" / "system"))
+
+from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
+
+import litz  # noqa: E402
+from browser import open_browser  # noqa: E402
 from documents import blocks, setup_commands  # noqa: E402
+from litz.viewer.server import ViewServer  # noqa: E402
+
+DECKS, PICTURES = ROOT / "inputs", ROOT / "docs" / "pictures"
+#: Pictures outside of tutorials: where they are, the deck, what is drawn, and in which size
+COMMANDS = {
+    ROOT / "docs" / "crossed_wires.png": ("01_crossed_wires", "overview", (1350, 765)),
+    PICTURES / "network.png": ("11_fibre_mat", "network", (900, 700)),
+}
+#: The deck in the picture of the viewer, the contact that is selected, and the size of the window
+VIEWED, SELECTED = "12_woven_fabric", 144
+WINDOW = (1300, 840)
 
 
-def main():
-    """Run the blocks of each tutorial in a folder of its own; keep the pictures that it shows."""
+def main(wanted):
+    """Make the pictures whose names contain one of some words; all without any."""
+
+    def is_wanted(path):
+        return not wanted or any(word in path.stem for word in wanted)
+
+    for target, (deck, kind, size) in COMMANDS.items():
+        if is_wanted(target):
+            with tempfile.TemporaryDirectory() as folder:
+                results = litz.run(DECKS / f"{deck}.inp", output_directory=folder, progress=False)
+                keep_small(litz.plot(results, kind, Path(folder, "picture.png"), size=size), target)
+    if is_wanted(PICTURES / "viewer.png"):
+        draw_viewer(PICTURES / "viewer.png")
     for tutorial in sorted((ROOT / "docs" / "tutorials").glob("*.md")):
-        wanted = re.findall(r"!\[[^\]]*\]\(\.\./pictures/([^)]+)\)", tutorial.read_text(encoding="utf-8"))
-        with tempfile.TemporaryDirectory() as folder:
-            run(tutorial, Path(folder))
-            for name in wanted:
-                (made,) = Path(folder).rglob(name)
-                keep_small(made, ROOT / "docs" / "pictures" / name)
-                print(f"docs/pictures/{name}")
+        shown = re.findall(r"!\[[^\]]*\]\(\.\./pictures/([^)]+)\)", tutorial.read_text(encoding="utf-8"))
+        targets = [PICTURES / name for name in shown if is_wanted(PICTURES / name)]
+        if targets:
+            with tempfile.TemporaryDirectory() as folder:
+                run(tutorial, Path(folder))
+                for target in targets:
+                    (made,) = Path(folder).rglob(target.name)
+                    keep_small(made, target)
+
+
+def draw_viewer(target):
+    """The viewer in the browser with a selected contact."""
+    with tempfile.TemporaryDirectory() as folder, open_browser() as browser:
+        results = litz.run(DECKS / f"{VIEWED}.inp", output_directory=folder, progress=False)
+        with ViewServer(results) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            browser.set_window_size(*WINDOW)
+            browser.get(server.url)
+            ready = "return document.querySelector('.litz-viewer[data-ready=yes]') !== null"
+            WebDriverWait(browser, 60).until(lambda _: browser.execute_script(ready))
+            browser.execute_script(f"document.querySelector('.litz-viewer').viewer.select({SELECTED})")
+            browser.save_screenshot(str(Path(folder, "viewer.png")))
+            server.shutdown()
+        keep_small(Path(folder, "viewer.png"), target)
 
 
 def run(tutorial, folder):
@@ -41,8 +91,11 @@ def run(tutorial, folder):
 
 def keep_small(source, target):
     """A picture with 256 colours, which is all that drawings need."""
-    Image.open(source).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(target, optimize=True)
+    picture = Image.open(source).convert("RGB")
+    # without further rounds there are many greys, and steps in the bars of colours
+    picture.quantize(256, kmeans=3, dither=Image.Dither.NONE).save(target, optimize=True)
+    print(target.relative_to(ROOT))
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

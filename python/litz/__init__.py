@@ -141,7 +141,8 @@ def __getattr__(name: str) -> Any:
         return getattr(import_module(f".{_LAZY_NAMES[name]}", __name__), name)
     if name == "__version__":
         return import_module("importlib.metadata").version("litz")
-    raise AttributeError(f"module 'litz' has no attribute {name!r}")
+    hint = import_module(".base.names", __name__).nearest_name(name, [] if name.startswith("_") else __all__)
+    raise AttributeError(f"module 'litz' has no attribute {name!r}{hint}")
 
 
 def __dir__() -> list[str]:

@@ -30,6 +30,24 @@ def friction(run_of_input):
     return litz.Results(run_of_input("13_stick_slip"))
 
 
+class TestFiles:
+    def test_missing_directories_are_made_and_a_name_without_ending_is_png(self, grid, tmp_path):
+        made = litz.plot(grid, "residuals", tmp_path / "a b" / "ü" / "residuals")
+        assert made == tmp_path / "a b" / "ü" / "residuals.png"
+        assert made.read_bytes().startswith(b"\x89PNG")
+
+    @pytest.mark.parametrize("name", ["chart.jpg", "chart.PNG", "chart.svg", "chart.pdf"])
+    def test_other_formats(self, grid, tmp_path, name):
+        assert litz.plot(grid, "residuals", tmp_path / name).stat().st_size > 1000
+
+    @pytest.mark.parametrize("command", ["plot", "report"])
+    def test_what_cannot_be_written_is_said_in_a_line(self, grid, tmp_path, command, capsys):
+        (tmp_path / "file").touch()
+        target = tmp_path / "file" / "page"
+        assert main([command, str(grid.path), "-o", str(target)]) == 4
+        assert f"error: cannot write {target}" in capsys.readouterr().err
+
+
 def not_white(picture):
     return np.count_nonzero(np.any(picture[..., :3] < 0.9, axis=2))
 

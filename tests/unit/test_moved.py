@@ -45,3 +45,10 @@ def test_folders_do_not_take_the_names_of_functions():
         assert callable(getattr(litz, name)), name
         import_module(getattr(litz, name).__module__)
         assert callable(getattr(litz, name)), name
+
+
+def test_a_misspelt_name_of_the_package_is_answered_by_a_similar_one():
+    with pytest.raises(
+        AttributeError, match=r"module 'litz' has no attribute 'Superconducter'; did you mean 'Superconductor'\?"
+    ):
+        _ = litz.Superconducter

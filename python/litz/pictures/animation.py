@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from ..base.notebook import Picture
+from ..base.output import writing
 from ..errors import FileError
 from ..results import Results
 from .plots import STYLE, Look, box_pixels, new_figure, place_wires, title, with_increments
@@ -81,7 +82,7 @@ def animate(
     n = len(results.times)
     increments = np.unique(np.linspace(0, n - 1, min(n, max_frames)).round().astype(int)).tolist()
     pixels = size or _PIXELS
-    with mpl.rc_context(STYLE):
+    with mpl.rc_context(STYLE), writing(path):
         _WRITERS[path.suffix](path, _frames(results, increments, look, pixels), frames_per_second)
     return path
 

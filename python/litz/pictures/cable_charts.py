@@ -15,8 +15,8 @@ from ..results.scalars import colours_and_limits, find_scalar, scalar_values
 from .chart_tools import equal_curves, legend_beside, name_of_group, wire_names
 from .charts import MAX_LINES, colour_of, nothing_to_draw
 
-# Wires with numbers in them, at most
-_MAX_NUMBERS = 100
+# Wires with numbers in them, and with large ones, at most
+_MAX_NUMBERS, _MAX_LARGE = 100, 12
 # Area of the dot of the largest force [points^2]
 _LARGEST_DOT = 160.0
 _SURFACE = "#555555"
@@ -102,9 +102,10 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
     discs.set_array(factor * values)
     axes.add_collection(discs)
     if len(values) <= _MAX_NUMBERS:
+        text_size = "large" if len(values) <= _MAX_LARGE else "x-small"
         for wire, centre, value in zip(cut.wires, cut.centre, factor * values, strict=True):
             bright = np.dot(_LUMINANCE, discs.cmap(norm(value))[:3]) > 0.5
-            axes.annotate(str(wire + 1), scale * centre, ha="center", va="center", fontsize="x-small",
+            axes.annotate(str(wire + 1), scale * centre, ha="center", va="center", fontsize=text_size,
                           color="#1b1b1b" if bright else "white", zorder=4)  # fmt: skip
     note = _draw_contacts(axes, results, increment, cut, scale)
     axes.autoscale_view()
@@ -121,7 +122,7 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
     figure.suptitle(
         f"Cross-section at {length_factor * at:.4g} of {length_factor * axis.length:.4g} {unit_along}, time "
         f"{results.times[increment]:g} {results.unit_labels['s']}",
-        x=0.005, ha="left", fontsize="large", fontweight="bold",
+        x=0.015, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(note, fontsize="small", fontweight="normal", color="#404040")
     axes.set_xlabel(label(cut.names[0], length_unit))

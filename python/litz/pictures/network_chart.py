@@ -43,7 +43,7 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     counts = f"{_counted(n_wires, 'wire')}, {_counted(len(graph.id), 'contact')}"
     figure.suptitle(
         f"Contact network at time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}: {counts}",
-        x=0.005, ha="left", fontsize="large", fontweight="bold",
+        x=0.015, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
     axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
                    fontsize="small", fontweight="normal", color="#404040")  # fmt: skip

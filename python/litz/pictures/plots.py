@@ -17,6 +17,7 @@ from PIL import Image
 
 from ..base.names import unknown_name
 from ..base.notebook import Picture
+from ..base.output import writing
 from ..base.quantities import with_unit
 from ..errors import FileError
 from ..results import Results
@@ -127,7 +128,8 @@ def plot(
         - "surfaces": force on each rigid surface over time, and of each element on them
         - "history": the columns requested in the deck, over time
     filename : path, optional
-        The picture; its ending chooses the format. Default: `STEM_KIND.png` beside the results.
+        The picture; its ending chooses the format, without one it is PNG. Missing directories are created. Default:
+        `STEM_KIND.png` beside the results.
     increment : int
         Index of the increment that is shown, -1 the last.
     field : str, optional
@@ -163,11 +165,14 @@ def plot(
     if wire is not None and not 0 <= wire < len(results.wires):
         raise ValueError(f"there is no wire {wire}: there are {len(results.wires)}, counted from 0")
     path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
+    if not path.suffix:
+        path = Picture(f"{path}.png")
     draw, default_size = _KINDS[kind]
     with results.kept_open(), mpl.rc_context(STYLE):
         figure = new_figure(default_size, size)
         draw(figure, results, increment, look)
-        _save(figure, path)
+        with writing(path):
+            _save(figure, path)
     return path
 
 
@@ -209,13 +214,13 @@ def _save(figure: Figure, path: Path) -> None:
             figure.set_layout_engine(layout)
         layout.execute(figure)
         figure.set_layout_engine("none")
-    if path.suffix not in _PIXEL_FORMATS:
+    if path.suffix.lower() not in _PIXEL_FORMATS:
         figure.savefig(path, dpi="figure")
         return
     # `savefig` would go through the whole figure once more before
     canvas.draw()
     pixels = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
-    pixels.save(path, dpi=(figure.dpi, figure.dpi), **_PIXEL_FORMATS[path.suffix])
+    pixels.save(path, dpi=(figure.dpi, figure.dpi), **_PIXEL_FORMATS[path.suffix.lower()])
 
 
 def with_increments(results: Results | str | Path) -> Results:
@@ -238,7 +243,7 @@ def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> F
 
 def title(results: Results, increment: int) -> str:
     """Two lines above a picture: what it is of, and which increment."""
-    heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 75, placeholder=" ...")
+    heading = textwrap.shorten((results.heading.strip() or results.path.stem).splitlines()[0], 82, placeholder=" ...")
     return (
         f"{heading}\nstep {results.steps[increment]}, increment {results.increments[increment]}, "
         f"time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}"

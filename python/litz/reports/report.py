@@ -9,6 +9,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+from ..base.output import writing
 from ..errors import FileError
 from ..pictures.friction_charts import has_friction
 from ..pictures.plots import KINDS_IN_INCHES, begin_wires, plot
@@ -82,7 +83,7 @@ def report(results: Results | str | Path, filename: str | Path | None = None, *,
     path = Path(filename) if filename else results.path.with_name(f"{results.path.stem}_report.html")
     if results.path.stat().st_size > _MAX_FORKED:
         processes = 0
-    with results.kept_open():
+    with results.kept_open(), writing(path):
         path.write_text(_page(results, processes), encoding="utf-8")
     return path
 
