@@ -7,7 +7,7 @@ highest of those they cross, need about three times as many.
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,7 +39,7 @@ class Threshold:
 
     density: float
     error: float
-    densities: NDArray[np.float64]
+    densities: NDArray[np.float64] = field(repr=False)
 
 
 def spans(results: Results, increment: int = -1, *, plus: str = "PLUS", minus: str = "MINUS") -> bool:

@@ -23,6 +23,7 @@ def model():
     model.contact(lower, upper, conductance=litz.HertzSpot(), friction=0.3)
     model.contact(lower, model.plane("TABLE", (0, 0, -1e-3), (0, 0, 2)))
     model.fix(lower.ends)
+    model.fix(upper.ends, "x", "rotations")
     step = model.step(increment=0.1, procedure="COUPLED TEMPERATURE-DISPLACEMENT", electrical=True, steady_state=True)
     step.move(upper.ends, "z", -1e-4)
     step.potential(lower.start, 1e-3)
@@ -47,9 +48,12 @@ def test_a_model_says_what_it_has(model):
     assert "LOWER with UPPER: Hertz(), HertzSpot(), friction 0.3" in text
     assert "LOWER with TABLE: Hertz(); no current" in text
     assert "LOWER_ENDS: x y z rx ry rz" in text
+    assert "UPPER_ENDS: x rx ry rz" in text
     assert "STEP1" in text
-    assert "UPPER_ENDS: z = -0.0001" in text
-    assert "UPPER_START: load on potential, 2" in text
+    assert "UPPER_ENDS: z = -100 µm" in text
+    assert "LOWER_START: potential = 1 mV" in text
+    assert "UPPER_START: current = 2 A" in text
+    assert "UPPER_MIDDLE: heat = 100 mW" in text
 
 
 def test_numbers_have_the_units_of_the_model():
@@ -98,7 +102,7 @@ def test_nodes_are_marked_by_what_is_done_to_them(model):
         "potential or current": [*lower.start, *upper.start],
         "temperature or heat": list(upper.middle),
         "moved or loaded": list(upper.ends),
-        "held": list(lower.ends),
+        "held": [*lower.ends, *upper.ends],
     }
 
 

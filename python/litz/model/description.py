@@ -12,7 +12,7 @@ import numpy as np
 from ..base.quantities import engineering, with_unit
 from .laws import Interaction
 from .loaded_model import LoadedModel
-from .loading import Load, Prescribed, direction_names
+from .loading import Load, Prescribed, Target, direction_names, unit_of
 from .materials import Circular, Material
 from .wires import WireGroup
 
@@ -27,6 +27,12 @@ _UNITS = {
     "young": "Pa", "conductivity": "S/m", "expansion": "1/K", "thermal_conductivity": "W/(m K)",
     "density": "kg/m^3", "specific_heat": "J/(kg K)",
 }  # fmt: skip
+#: What loads are called, and their units
+_LOADS = {
+    **{f"r{axis}": (f"moment {axis}", "N m") for axis in "xyz"},
+    "potential": ("current", "A"),
+    "temperature": ("heat", "W"),
+}
 
 
 def described(model: LoadedModel, picture: str | None) -> str:
@@ -49,13 +55,15 @@ def _rows(model: LoadedModel) -> Iterator[tuple[str, list[str]]]:
     unit = length_unit(model)
     groups = enumerate(model.groups.values())
     yield "wires", _listed([_swatch(number) + html.escape(_wires(group, unit)) for number, group in groups])
-    yield "materials", _escaped(_material(one, unit == "m") for one in model.materials)
-    yield "rigid surfaces", _escaped(f"{one.name}: {one.shape.lower()}" for one in model.surfaces.values())
-    yield "contacts", _escaped(_contact(pair.first, pair.second, pair.interaction) for pair in model.contacts)
-    yield "supports", _escaped(f"{one.target}: {_directions(one)}" for one in model.supports)
+    is_si = unit == "m"
+    yield "materials", _escaped([_material(one, is_si) for one in model.materials])
+    yield "rigid surfaces", _escaped([f"{one.name}: {one.shape.lower()}" for one in model.surfaces.values()])
+    yield "contacts", _escaped([_contact(pair.first, pair.second, pair.interaction) for pair in model.contacts])
+    yield "supports", _escaped(_supports(model.supports))
     for step in model.steps:
         title = repr(step).partition(": ")[2].rstrip(">")
-        yield html.escape(step.name), _escaped([title, *_prescribed(step.prescribed), *map(_load, step.loads)])
+        values = [_prescribed(one, is_si) for one in step.prescribed] + [_load(one, is_si) for one in step.loads]
+        yield html.escape(step.name), _escaped([title, *values])
 
 
 def length_unit(model: LoadedModel) -> str:
@@ -128,12 +136,23 @@ def _directions(item: Prescribed) -> str:
     return " ".join(direction_names(range(item.first, item.last + 1)))
 
 
-def _prescribed(items: Sequence[Prescribed]) -> list[str]:
-    return [f"{one.target}: {_directions(one)} = {one.value:g}{_over_time(one)}" for one in items]
+def _supports(items: Sequence[Prescribed]) -> list[str]:
+    """A line for each target."""
+    held: dict[Target, list[str]] = {}
+    for item in items:
+        held.setdefault(item.target, []).append(_directions(item))
+    return [f"{target}: {' '.join(directions)}" for target, directions in held.items()]
 
 
-def _load(load: Load) -> str:
-    return f"{load.target}: load on {direction_names([load.dof])[0]}, {load.value:g}{_over_time(load)}"
+def _prescribed(item: Prescribed, is_si: bool) -> str:
+    value = _quantity(item.value, unit_of(item.first) if is_si else "")
+    return f"{item.target}: {_directions(item)} = {value}{_over_time(item)}"
+
+
+def _load(load: Load, is_si: bool) -> str:
+    direction = direction_names([load.dof])[0]
+    what, unit = _LOADS.get(direction, (f"force {direction}", "N"))
+    return f"{load.target}: {what} = {_quantity(load.value, unit if is_si else '')}{_over_time(load)}"
 
 
 def _over_time(item: Prescribed | Load) -> str:
@@ -142,10 +161,11 @@ def _over_time(item: Prescribed | Load) -> str:
 
 def _quantity(value: float, unit: str) -> str:
     factor, prefixed = engineering(np.array([value]), unit)
-    return with_unit(f"{value * factor:.6g}", prefixed)
+    # without the sign of a zero
+    return with_unit(f"{value * factor + 0.0:.6g}", prefixed)
 
 
-def _escaped(lines: Iterator[str] | Sequence[str]) -> list[str]:
+def _escaped(lines: Sequence[str]) -> list[str]:
     return _listed([html.escape(line) for line in lines])
 
 

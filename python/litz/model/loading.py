@@ -42,6 +42,17 @@ def direction_names(numbers: Iterable[int]) -> list[str]:
     return [names[number] for number in numbers]
 
 
+def unit_of(number: int) -> str:
+    """SI unit of a degree of freedom.
+
+    Examples
+    --------
+    >>> unit_of(3), unit_of(9)
+    ('m', 'V')
+    """
+    return next(one["unit"] for one in _fields_of("BOUNDARY", "first") if one["first"] <= number <= one["last"])
+
+
 def degrees_of_freedom(field: str) -> range:
     """Numbers of the degrees of freedom of a field.
 
