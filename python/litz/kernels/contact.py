@@ -140,7 +140,7 @@ def contact_em(
         Penalty stiffness [N/m] of `normal_law="linear"`.
     axis : {"hermite", "linear"}
         Cubic axes between the nodes, or the straight ones of the chords (then rotations do not enter).
-    spot_law : {"paper", "hertz", "plastic", "film", "constant", "table", "none"}
+    spot_law : {"paper", "hertz", "plastic", "film", "constant", "table", "sharvin", "cluster", "none"}
         From force to conductance, see `contact_spot`; "none": no current. The default is that of the paper, to be
         compared with it; "hertz" is the law of two wires.
     rotation_vectors : array_like, shape (4, 3), optional

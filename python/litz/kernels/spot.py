@@ -77,7 +77,7 @@ def contact_spot(
         wire; one number serves both.
     angle : float
         Angle between the axes [rad], in (0, pi).
-    law : {"hertz", "paper", "plastic", "film", "constant", "table", "none"}
+    law : {"hertz", "paper", "plastic", "film", "constant", "table", "sharvin", "cluster", "none"}
         - "hertz": exact ellipse with Holm's constriction resistance ``(rho1 + rho2) K(m)/(2 pi a)``;
         - "paper": circle of Hertz's contact of two spheres, ``r* = r rb/(r + rb)``. At 90 degrees the spot of equal
           wires is 21 % too small and the resistance 26 % too large;
