@@ -128,3 +128,14 @@ def test_a_model_that_contradicts_itself_is_shown_without_units():
 def test_a_large_model_takes_little_of_a_notebook():
     mat = litz.build.wire_grid(40, 40, pitch=1e-3, radius=1e-4, material=litz.COPPER)
     assert len(mat._repr_html_()) < 300_000
+
+
+def test_of_long_wires_some_points_are_drawn_and_the_ends():
+    model = litz.Model("long")
+    for number in range(2):
+        start, end = (0.0, number, 0.0), (1.0, number, 0.0)
+        model.wire(f"W{number}", start, end, elements=20_000, radius=1e-3, material=litz.COPPER)
+    scene = model_scene(model)
+    assert len(scene.points) == len(scene.value) == len(scene.radius) < 20_000
+    np.testing.assert_array_equal(scene.points[scene.starts[:-1]], [(0, 0, 0), (0, 1, 0)])
+    np.testing.assert_array_equal(scene.points[scene.starts[1:] - 1], [(1, 0, 0), (1, 1, 0)])

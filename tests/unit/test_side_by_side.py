@@ -1,6 +1,7 @@
 """Files that forked processes make, and those that they fail to make."""
 
 import os
+import signal
 
 import pytest
 
@@ -23,14 +24,23 @@ def test_all_files_are_there_at_the_end(tmp_path, processes):
     assert (os.getpid() in makers) == (processes == 0)
 
 
-def test_what_a_process_fails_to_make_is_made_here(tmp_path):
+def fail():
+    raise MemoryError
+
+
+def be_killed():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+@pytest.mark.parametrize("end", [fail, be_killed])
+def test_what_a_process_fails_to_make_is_made_here(tmp_path, end):
     here = os.getpid()
     path = tmp_path / "late"
 
     def make():
         path.write_text("half")
         if os.getpid() != here:
-            raise MemoryError
+            end()
         path.write_text("whole")
 
     side_by_side.begin([(path, make)], 1)()

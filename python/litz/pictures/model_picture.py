@@ -109,9 +109,11 @@ def model_scene(model: LoadedModel) -> Scene:
     radius = np.repeat([group.radius for group in groups], counts)
     colour = np.repeat(np.arange(len(groups)) % N_COLOURS, counts) + 0.5
     points, starts = sample_wires(positions, slopes, wires, per_element)
+    kept, starts = _thinned(starts)
+    points = points[kept]
 
     def at_points(values: np.ndarray) -> np.ndarray:
-        return along_wires(np.repeat(values[:, None], 2, axis=1), wires, per_element)
+        return along_wires(np.repeat(values[:, None], 2, axis=1), wires, per_element)[kept]
 
     corners, quads, rim = _surfaces(model, points, float(radius.max()))
     nothing = np.zeros(0, dtype=int)
@@ -124,6 +126,15 @@ def model_scene(model: LoadedModel) -> Scene:
         line_title="", line_limit=0.0, title="", spot_text="",
         limits=(0.0, float(N_COLOURS)), colours=COLOUR_MAP, length_unit=length_unit(model),
     )  # fmt: skip
+
+
+def _thinned(starts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rows of the points that are drawn, those at the ends of wires among them, and the first one of each wire."""
+    within = np.arange(starts[-1]) - np.repeat(starts[:-1], np.diff(starts))
+    is_kept = within % math.ceil(starts[-1] / (2 * _MAX_POINTS)) == 0
+    is_kept[starts[1:] - 1] = True
+    kept = np.flatnonzero(is_kept)
+    return kept, np.searchsorted(kept, starts)
 
 
 def _surfaces(model: LoadedModel, points: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -1,6 +1,7 @@
 """Pictures that are drawn in several processes at a time."""
 
 import os
+import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -21,11 +22,15 @@ def begin(jobs: Sequence[Job], processes: int) -> Callable[[], None]:
         Processes besides this one; 0: none. More are for programs with a single thread.
     """
     count = min(processes, len(jobs))
-    children = [_fork(jobs[first::count]) for first in range(count)]
+    shares = [jobs[first::count] for first in range(count)]
+    children = [_fork(share) for share in shares]
 
     def finish() -> None:
-        for child in children:
-            os.waitpid(child, 0)
+        for child, share in zip(children, shares, strict=True):
+            _, status = os.waitpid(child, 0)
+            for path, _ in share if status else []:
+                # which of them is whole is not known
+                path.unlink(missing_ok=True)
         for path, make in jobs:
             if not path.exists():
                 make()
@@ -34,18 +39,19 @@ def begin(jobs: Sequence[Job], processes: int) -> Callable[[], None]:
 
 
 def _fork(jobs: Sequence[Job]) -> int:
-    """Number of a process that makes files; where it fails, one may be missing or broken, which is removed."""
-    child = os.fork()
+    """Number of a process that makes files, which ends with another status than 0 where it fails."""
+    with warnings.catch_warnings():
+        # Python 3.12 warns of any further thread; those of BLAS are at rest, and started anew in the child
+        warnings.simplefilter("ignore", DeprecationWarning)
+        child = os.fork()
     if child:
         return child
+    status = 1
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-        for path, make in jobs:
-            try:
-                make()
-            except BaseException:
-                path.unlink(missing_ok=True)
-                raise
+        for _, make in jobs:
+            make()
+        status = 0
     finally:
         # nothing that is the parent's to end, such as files and temporary folders
-        os._exit(0)
+        os._exit(status)
