@@ -90,7 +90,8 @@ def report(results: Results | str | Path, filename: str | Path | None = None, *,
 
 def _page(results: Results, processes: int) -> str:
     """The page as text."""
-    with tempfile.TemporaryDirectory() as folder:
+    # after an error processes may still write into it
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         finish = _begin_pictures(results, Path(folder), processes) if len(results.times) else list
         return _with_pictures(results, finish)
 
