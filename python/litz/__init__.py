@@ -141,7 +141,9 @@ def __getattr__(name: str) -> Any:
         return getattr(import_module(f".{_LAZY_NAMES[name]}", __name__), name)
     if name == "__version__":
         return import_module("importlib.metadata").version("litz")
-    hint = import_module(".base.names", __name__).nearest_name(name, [] if name.startswith("_") else __all__)
+    # classes for classes, functions and modules for these
+    known = [one for one in __all__ if one[0].isupper() == name[0].isupper() and name[0] != "_"]
+    hint = import_module(".base.names", __name__).nearest_name(name, known)
     raise AttributeError(f"module 'litz' has no attribute {name!r}{hint}")
 
 

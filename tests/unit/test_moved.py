@@ -47,8 +47,7 @@ def test_folders_do_not_take_the_names_of_functions():
         assert callable(getattr(litz, name)), name
 
 
-def test_a_misspelt_name_of_the_package_is_answered_by_a_similar_one():
-    with pytest.raises(
-        AttributeError, match=r"module 'litz' has no attribute 'Superconducter'; did you mean 'Superconductor'\?"
-    ):
-        _ = litz.Superconducter
+@pytest.mark.parametrize(("name", "meant"), [("Modell", "Model"), ("modell", "model"), ("reprot", "report")])
+def test_a_misspelt_name_of_the_package_is_answered_by_a_similar_one(name, meant):
+    with pytest.raises(AttributeError, match=rf"module 'litz' has no attribute '{name}'; did you mean '{meant}'\?"):
+        getattr(litz, name)
