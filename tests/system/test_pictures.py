@@ -30,6 +30,17 @@ def friction(run_of_input):
     return litz.Results(run_of_input("13_stick_slip"))
 
 
+class TestResiduals:
+    def test_what_is_allowed_is_seen_where_there_is_one_iteration(self, run_of_input):
+        """A linear problem has one."""
+        axes = Figure().subplots()
+        charts.residual_lines(axes, litz.Results(run_of_input("20_hot_spot")).convergence, "current")
+        dashed = [line for line in axes.get_lines() if line.get_linestyle() == "--"]
+        single = [line for line in dashed if (line.get_ydata() > 0).sum() == 1]
+        assert single
+        assert all(line.get_marker() == "_" for line in single)
+
+
 class TestFiles:
     def test_missing_directories_are_made_and_a_name_without_ending_is_png(self, grid, tmp_path):
         made = litz.plot(grid, "residuals", tmp_path / "a b" / "ü" / "residuals")

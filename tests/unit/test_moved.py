@@ -47,7 +47,9 @@ def test_folders_do_not_take_the_names_of_functions():
         assert callable(getattr(litz, name)), name
 
 
-@pytest.mark.parametrize(("name", "meant"), [("Modelle", "Model"), ("modelle", "model"), ("closed_form", "closed_forms")])
+@pytest.mark.parametrize(
+    ("name", "meant"), [("Modelle", "Model"), ("modelle", "model"), ("closed_form", "closed_forms")]
+)
 def test_a_misspelt_name_of_the_package_is_answered_by_a_similar_one(name, meant):
     with pytest.raises(AttributeError, match=rf"module 'litz' has no attribute '{name}'; did you mean '{meant}'\?"):
         getattr(litz, name)

@@ -258,7 +258,12 @@ def residual_lines(axes: Axes, table: Table, name: str) -> None:
         axes.semilogy(
             rows["iteration"], size, markersize=4, linewidth=1.3, color=colour, label=text if few else None, **style
         )
-        axes.semilogy(rows["iteration"], rows[f"{name}_allowed"], "--", color=colour, linewidth=0.9, alpha=0.8)
+        allowed = rows[f"{name}_allowed"]
+        # a single value makes no line
+        dash = "_" if (allowed > 0).sum() == 1 else None
+        axes.semilogy(
+            rows["iteration"], allowed, "--", color=colour, linewidth=0.9, alpha=0.8, marker=dash, markersize=14
+        )
     axes.set_title(f"{name.capitalize()} residual, dashed: allowed")
     axes.set_ylabel(label("norm", engineering(np.zeros(1), table.units[name])[1]))
     _number_log_axis(axes.yaxis)
