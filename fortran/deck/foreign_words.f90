@@ -58,8 +58,8 @@ module litz_foreign_words
       'a deck is flat: `litz convert THIS.inp NEW.inp` places the instances'), &
       foreign_word_t('NGEN|NFILL|NCOPY|NMAP|ELGEN|ELCOPY', '', '', &
       'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh'), &
-      foreign_word_t('SYSTEM|TRANSFORM', '', '', 'directions are those of the global axes: turn the model so that'// &
-      ' supports and loads lie along them'), &
+      foreign_word_t('SYSTEM', '', '', 'coordinates are global; *TRANSFORM gives supports and loads axes of their'// &
+      ' own'), &
       foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
       foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &

@@ -227,6 +227,8 @@ class _Instances:
             copy.data = [[row[0], *place] for row, place in zip(rows, new, strict=True)]
         elif (copy.is_a("BEAM SECTION") or copy.is_a("BEAM GENERAL SECTION")) and len(instance.data) > 1:
             self._turn_axis(copy, instance)
+        elif copy.is_a("TRANSFORM"):
+            self._place_axes(copy, instance)
         return self._renumbered(copy, name, f"{name}.")
 
     @staticmethod
@@ -238,6 +240,14 @@ class _Instances:
         n1 = np.array([[float(value or 0) for value in (rows[1] if len(rows) > 1 else [0, 0, -1])]])
         turned = rotated(n1, np.zeros(3), b - a, angle)
         section.data = [rows[0], turned[0].tolist(), *rows[2:]]
+
+    def _place_axes(self, transform: Card, instance: Card) -> None:
+        """Axes of nodes turn with their instance; those of a cylinder or a sphere are where its points are."""
+        points = np.array([float(value or 0) for value in [*transform.data[0], 0, 0, 0, 0, 0][:6]]).reshape(2, 3)
+        new = placed(points, instance, self.path)
+        if str(transform.get("TYPE", "R")).upper() == "R":
+            new -= placed(np.zeros((1, 3)), instance, self.path)
+        transform.data = [new.ravel().tolist()]
 
     def _renumbered(self, card: Card, instance: str, prefix: str) -> Card:
         """Numbers and names as the flat deck has them."""
