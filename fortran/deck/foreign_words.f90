@@ -55,7 +55,8 @@ module litz_foreign_words
       foreign_word_t('PARAMETER', '', '', 'write the values; litz.sweep of Python fills in {names}, litz.Deck'// &
       ' changes values'), &
       foreign_word_t('PART|END PART|ASSEMBLY|END ASSEMBLY|INSTANCE|END INSTANCE', '', '', &
-      'a deck is flat: `litz convert THIS.inp NEW.inp` places the instances'), &
+      'the program reads flat decks: `litz run` and `litz check` of the Python package place the instances, and'// &
+      ' `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NGEN|NFILL|NCOPY|NMAP|ELGEN|ELCOPY', '', '', &
       'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh'), &
       foreign_word_t('SYSTEM', '', '', 'coordinates are global; *TRANSFORM gives supports and loads axes of their'// &
@@ -121,8 +122,8 @@ module litz_foreign_words
       foreign_word_t('RIGID BODY', 'ELSET|ANALYTICAL SURFACE', '', 'give the nodes, by TIE NSET=... or PIN NSET=...'), &
       foreign_word_t('RIGID BODY', 'POSITION|ISOTHERMAL', '', 'leave it out: the reference node stays where it is'), &
       foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
-      foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
-      ' instances'), &
+      foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
+      ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
       'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &

@@ -156,9 +156,10 @@ contains
 
       call begin(k, 'TRANSFORM', place_model, 'Local axes of nodes: *BOUNDARY, *CLOAD and *EQUATION refer to these'// &
          ' in degrees of freedom 1 to 6. They stay as they are when nodes move. R: axis 1 points from the origin to'// &
-         ' a, and b lies in the plane of axes 1 and 2. C: axis 1 is radial, 2 tangential, and 3 along the axis, from'// &
-         ' a to b. S: axis 1 is radial from a, 2 along the circle of latitude, and 3 along the meridian, towards the'// &
-         ' pole on the side of b. Results are along the global axes, as with GLOBAL=YES of Abaqus and CalculiX.')
+         ' a, and b lies in the plane of axes 1 and 2. C: axis 1 is radial, 2 tangential, and 3 along the axis,'// &
+         ' from a to b. S: axis 1 is radial from a, 2 along the circle of latitude, and 3 along the meridian,'// &
+         ' towards the pole on the side of b. Results are along the global axes, as with GLOBAL=YES'// &
+         ' of Abaqus and CalculiX.')
       call k%add(name('NSET', 'the nodes', required=.true.))
       call k%add(choice('TYPE', 'R|C|S', 'rectangular, cylindrical or spherical', default='R'))
       call k%add_data([(real_field(coordinates(i), 'm', 'point a', required=.false.), i=1, 3), &

@@ -2,11 +2,13 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import warnings
 from collections.abc import Sequence
 from importlib import import_module
+from pathlib import Path
 
 from .base.program import program_environment, program_path
 from .errors import LitzError
@@ -72,13 +74,37 @@ def _show_warning(message: Warning | str, *_: object, **_also: object) -> None:
     print(f"warning: {message}", file=sys.stderr)
 
 
+def _may_have_parts(deck: Path) -> bool:
+    """Whether it is worth looking for parts; numpy, which that needs, takes a while to load."""
+    return deck.is_file() and b"*" in (text := deck.read_bytes().lower()) and (b"part" in text or b"include" in text)
+
+
+def _run_flat(program: str, arguments: list[str], deck: int, environment: dict[str, str]) -> int:
+    """Run the program on a deck whose instances have been placed, and pass on the signals that end it."""
+    flat_deck = import_module(".deck.instances", __package__).flat_deck
+    with flat_deck(Path(arguments[deck])) as flat:
+        command = [program, *arguments[:deck], str(flat), *arguments[deck + 1 :]]
+        if str(flat) == arguments[deck]:
+            os.execve(program, command, environment)
+        with subprocess.Popen(command, env=environment) as process:
+            # Ctrl-C goes to the program as well, which ends by itself
+            signal.signal(signal.SIGINT, lambda *_: None)
+            signal.signal(signal.SIGTERM, lambda *_: process.terminate())
+            exit_code = process.wait()
+    return exit_code if exit_code >= 0 else 128 - exit_code
+
+
 def _run_program(arguments: list[str]) -> int:
     """Become the Fortran program, so that signals, standard streams and the exit code are its own."""
     program = str(program_path())
     if arguments and (arguments[0] not in _HELP or len(arguments) > 1):
         sys.stdout.flush()
         columns = str(shutil.get_terminal_size((100, 24)).columns)
-        os.execve(program, [program, *arguments], {**program_environment(), "COLUMNS": columns})
+        environment = {**program_environment(), "COLUMNS": columns}
+        deck = next((i for i, word in enumerate(arguments) if word.lower().endswith(".inp")), None)
+        if deck is not None and arguments[0] in ("run", "check") and _may_have_parts(Path(arguments[deck])):
+            return _run_flat(program, arguments, deck, environment)
+        os.execve(program, [program, *arguments], environment)
     exit_code = subprocess.run([program, "--help"], check=False).returncode
     print(_PYTHON_HELP, end="")
     return exit_code

@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card, Deck
+from ..deck.instances import deck_cards
 from ..errors import FileError
 from ..kernels import closest_points, contact_search
 from ..kernels.laws import NORMAL_LAWS, SPOT_FIELDS, SPOT_LAWS
-from ..model.abaqus_mesh import deck_cards, read_numbered_deck
+from ..model.abaqus_mesh import read_numbered_deck
 from ..model.materials import Circular, Material
 from ..model.mesh import Mesh
 from ..runs import check
