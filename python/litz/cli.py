@@ -28,6 +28,7 @@ Commands of the Python package:
   litz convert MESH DECK --radius R       a deck from one of Abaqus or CalculiX, or from a mesh of gmsh, BeamMe or meshio
   litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
   litz export feap|abaqus DECK            the model for a program with litz's contact element as a user element
+  litz export ccx DECK                    the beams, supports and loads for CalculiX, without contacts and currents
   litz network RESULTS [--csv FILE] [--graphml FILE]
                                           resistances between wires; the circuit of wires and contacts as files
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
