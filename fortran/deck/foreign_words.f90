@@ -213,11 +213,13 @@ module litz_foreign_words
       '|TT|TS|PT|PS|'// &
       'CP|MACH|MF|DTF|TURB|TTF|TSF|HCRI|KEQ|RT|TM|PHID', 'ask for U, UR, RF, RM, CF or CM, or leave it out', &
       role_idle), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'RECTANGULAR|CIRCULAR', 'write the first four'// &
+      ' letters, which CalculiX reads'), &
       foreign_word_t('ELASTIC|EXPANSION', '', '+', 'material data depend on temperature alone'), &
       foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
-      foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|VELOCITY|FIELD|SOLUTION|HARDENING|PLASTIC STRAIN|'// &
-      'ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and current; apply'// &
+      foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|DISPLACEMENT|VELOCITY|FIELD|SOLUTION|HARDENING|'// &
+      'PLASTIC STRAIN|ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and current; apply'// &
       ' initial loads in a first *STEP'), &
       foreign_word_t('FRICTION', '', '+', 'a stiffness before slip is the parameter STICK STIFFNESS')]
 
