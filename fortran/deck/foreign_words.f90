@@ -219,8 +219,8 @@ module litz_foreign_words
       foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
       foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|DISPLACEMENT|VELOCITY|FIELD|SOLUTION|HARDENING|'// &
-      'PLASTIC STRAIN|ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and current; apply'// &
-      ' initial loads in a first *STEP'), &
+      'PLASTIC STRAIN|ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and'// &
+      ' current; apply initial loads in a first *STEP'), &
       foreign_word_t('FRICTION', '', '+', 'a stiffness before slip is the parameter STICK STIFFNESS')]
 
 contains
