@@ -76,8 +76,9 @@ def _show_warning(message: Warning | str, *_: object, **_also: object) -> None:
 
 
 def _may_have_parts(deck: Path) -> bool:
-    """Whether it is worth looking for parts; numpy, which that needs, takes a while to load."""
-    return deck.is_file() and b"*" in (text := deck.read_bytes().lower()) and (b"part" in text or b"include" in text)
+    """Whether it is worth looking for parts: numpy, which that needs, takes a while to load."""
+    text = deck.read_bytes().lower()
+    return b"part" in text or b"include" in text
 
 
 def _run_flat(program: str, arguments: list[str], deck: int, environment: dict[str, str]) -> int:
@@ -102,9 +103,11 @@ def _run_program(arguments: list[str]) -> int:
         sys.stdout.flush()
         columns = str(shutil.get_terminal_size((100, 24)).columns)
         environment = {**program_environment(), "COLUMNS": columns}
-        deck = next((i for i, word in enumerate(arguments) if word.lower().endswith(".inp")), None)
-        if deck is not None and arguments[0] in ("run", "check") and _may_have_parts(Path(arguments[deck])):
-            return _run_flat(program, arguments, deck, environment)
+        files = [
+            i for i in range(1, len(arguments)) if arguments[i - 1] != "--restart" and Path(arguments[i]).is_file()
+        ]
+        if arguments[0] in ("run", "check") and files and _may_have_parts(Path(arguments[files[0]])):
+            return _run_flat(program, arguments, files[0], environment)
         os.execve(program, [program, *arguments], environment)
     exit_code = subprocess.run([program, "--help"], check=False).returncode
     print(_PYTHON_HELP, end="")

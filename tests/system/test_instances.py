@@ -132,3 +132,13 @@ def test_a_run_that_is_ended_leaves_nothing_behind(deck, tmp_path):
     assert process.returncode == 143
     assert not list((tmp_path / "tmp").iterdir())
     assert not [path for path in (tmp_path / "out").iterdir() if "lock" in path.name]
+
+
+def test_supports_and_numbers_of_a_part_are_those_of_its_instances(tmp_path):
+    """As in decks that are written by hand: supports within the part, by number and by set."""
+    text = DECK.replace("*End Part", "*Nset, nset=Root\n 1\n*Boundary\n Root, 1, 3\n 1, 4, 6\n*End Part")
+    text = text.replace("*Boundary\nRoots, ENCASTRE\n", "")
+    (tmp_path / "frame").write_text(text)
+    done = command("run", "frame", "-o", "out", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_allclose(Results(tmp_path / "out").field("displacement")[[2, 5], 2], [SAG, 2 * SAG], rtol=1e-7)

@@ -21,6 +21,9 @@ _ON_ELEMENTS = ("DLOAD", "LORENTZ", "DFLUX", "FILM", "RADIATE")
 #: Cards that have no meaning where the instances are placed
 _STRUCTURE = ("ASSEMBLY", "END ASSEMBLY")
 
+_PART = re.compile(rb"^[ \t]*\*[ \t]*part\b", re.MULTILINE | re.IGNORECASE)
+_INCLUDED = re.compile(rb"^[ \t]*\*[ \t]*include[ \t]*,[ \t]*input[ \t]*=([^,\r\n]+)", re.MULTILINE | re.IGNORECASE)
+
 
 def deck_cards(deck: Deck) -> Iterator[Card]:
     """The cards of a deck and of those that it includes, which have the line of the card that includes them."""
@@ -45,12 +48,19 @@ def flat_cards(path: Path) -> list[Card]:
 
 
 def has_parts(path: Path) -> bool:
-    """Whether a deck, or what it includes, has parts."""
-    if not path.is_file() or not re.search(
-        rb"^\s*\*\s*(part|include)\b", path.read_bytes(), re.MULTILINE | re.IGNORECASE
-    ):
-        return False
-    return any(card.is_a("PART") for card in deck_cards(Deck.read(path)))
+    """Whether a deck, or what it includes, has parts; decks of millions of lines are not taken to pieces for that."""
+    waiting, seen = [path], set()
+    while waiting:
+        path = waiting.pop()
+        if path in seen or not path.is_file():
+            continue
+        seen.add(path)
+        text = path.read_bytes()
+        if _PART.search(text):
+            return True
+        names = (name.decode("utf-8", errors="surrogateescape").strip().strip('"') for name in _INCLUDED.findall(text))
+        waiting += [path.parent / name for name in names]
+    return False
 
 
 @contextmanager
@@ -210,13 +220,13 @@ class _Instances:
             numbers = self.nodes if any(card.is_a(one) for one in _ON_NODES) else self.elements
             for i, row in enumerate(card.data):
                 if row and row[0] is not None:
-                    new = self._item(row[0], numbers, "")
+                    new = self._item_or_set(row[0], numbers, instance if prefix else "", prefix)
                     if new != row[0]:
                         card[i, 0] = new
         elif card.is_a("EQUATION"):
             self._renumber_terms(card, instance, prefix)
         if "REF NODE" in card:
-            card["REF NODE"] = self._item_or_set(card["REF NODE"], instance, prefix)
+            card["REF NODE"] = self._item_or_set(card["REF NODE"], self.nodes, instance, prefix)
         for parameter in ("NSET", "ELSET", "TIE NSET", "PIN NSET"):
             if prefix and parameter in card:
                 name = prefix + str(card[parameter])
@@ -235,15 +245,15 @@ class _Instances:
                 n_left = int(row[0] or 0)
                 continue
             for i in range(0, len(row), 3):
-                row[i] = self._item_or_set(row[i], instance, prefix)
+                row[i] = self._item_or_set(row[i], self.nodes, instance, prefix)
                 n_left -= 1
         _rewrite(card, rows)
 
-    def _item_or_set(self, value: Value, instance: str, prefix: str) -> Value:
-        """A node as the flat deck has it, or a set of the instance."""
+    def _item_or_set(self, value: Value, numbers: dict[tuple[str, int], int], instance: str, prefix: str) -> Value:
+        """A number as the flat deck has it, or a set of the instance."""
         if isinstance(value, str) and f"{prefix}{value}".upper() in self.sets:
             return f"{prefix}{value}"
-        return self._item(value, self.nodes, instance)
+        return self._item(value, numbers, instance)
 
     def _define(self, card: Card, instance: str) -> None:
         """New numbers: those of the deck where they are free, and otherwise above all so far."""
