@@ -254,8 +254,8 @@ class TestCommand:
         done = self.call("ccx", CROSSED, "-o", path)
         assert done.returncode == 0
         assert f"24 nodes, 22 beams; run it: ccx -i {tmp_path}/crossed_ccx" in done.stdout
-        assert "not exported: contact of 1 pairs of elements" in done.stderr
-        assert "not exported: potentials and currents" in done.stderr
+        assert "left out: contact of 1 pairs of elements" in done.stdout
+        assert "left out: potentials and currents" in done.stdout
         assert "** left out: contact of 1 pairs of elements" in path.read_text()
 
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ..errors import FileError
-from ..hosts import abaqus_input, ccx_input, feap_input, read_host_model
+from ..hosts import abaqus_input, ccx_input, feap_input, missing_in_ccx, read_host_model
 from ..results import Results
 from ..results.exports import export
 from ..results.history_table import history_table
@@ -71,6 +71,7 @@ def _export_model(arguments: list[str]) -> int:
     print(f"wrote {path}: {len(model.x)} nodes, {len(model.connectivity)} beams", end="")
     if options.program == "ccx":
         print(f"; run it: ccx -i {path.with_suffix('')}")
+        print("".join(f"left out: {one}\n" for one in missing_in_ccx(model)), end="")
     else:
         print(f", {len(model.pairs)} pairs that may touch")
         print("how to build the program with the elements: docs/user_element.md")

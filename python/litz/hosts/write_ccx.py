@@ -1,6 +1,5 @@
 """Input of CalculiX: the beams without their contacts, as far as that program has beams."""
 
-import warnings
 from collections.abc import Iterable, Iterator
 
 import numpy as np
@@ -16,7 +15,8 @@ def ccx_input(model: HostModel) -> str:
     """The input file: mesh with nodes in the middle of the elements, sections, supports, and one step."""
     if any(kind == "S" for _, kind, _ in model.local_axes):
         raise FileError("CalculiX has no *TRANSFORM, TYPE=S; rectangular and cylindrical axes can be exported")
-    return "\n".join([*_mesh(model), *_what_is_missing(model), *_supports(model), *_step(model)]) + "\n"
+    missing = [f"** left out: {one}" for one in missing_in_ccx(model)]
+    return "\n".join([*_mesh(model), *missing, *_supports(model), *_step(model)]) + "\n"
 
 
 def _numbers(values: Iterable[float]) -> str:
@@ -47,15 +47,14 @@ def _mesh(model: HostModel) -> Iterator[str]:
         )
 
 
-def _what_is_missing(model: HostModel) -> Iterator[str]:
+def missing_in_ccx(model: HostModel) -> list[str]:
+    """What the model has and CalculiX is not given, in words."""
     missing = []
     if len(model.pairs):
         missing.append(f"contact of {len(model.pairs)} pairs of elements, as CalculiX has none between beams")
     if any(dof == POTENTIAL for _, dof in {*model.supports, *model.prescribed, *model.loads}):
         missing.append("potentials and currents, as beams of CalculiX conduct none")
-    for one in missing:
-        warnings.warn(f"not exported: {one}", stacklevel=2)
-        yield f"** left out: {one}"
+    return missing
 
 
 def _motions(values: dict[tuple[int, int], float]) -> dict[tuple[int, int], float]:
