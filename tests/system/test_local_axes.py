@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import litz
 from decks import MATERIAL, crossed, straight, wire
 from litz import Results
 from same_results import KEEP_ALL
@@ -292,3 +293,17 @@ def test_an_equation_between_nodes_with_different_axes(run):
     np.testing.assert_allclose((a @ first)[:2], (b @ second)[:2], rtol=1e-9, atol=1e-12 * np.abs(a).max())
     applied = results.field("applied_force")
     np.testing.assert_allclose(applied[[4, 9]], [0.01 * first[:, 0], 0.02 * second[:, 2]], atol=1e-15)
+
+
+def test_models_of_python_have_local_axes(tmp_path):
+    """A force along the first axis of a cylinder about the z-axis, of an end on the line x = y."""
+    model = litz.Model("radial force")
+    end = np.array([1, 1, 0]) * 0.1 / np.sqrt(2)
+    wire_of_model = model.wire("WIRE", (0, 0, 0), end, radius=1e-3, material=litz.STEEL, elements=4)
+    model.fix(wire_of_model.start)
+    model.local_axes(wire_of_model.end, (0, 0, 0), (0, 0, 1), "cylindrical")
+    model.step().force(wire_of_model.end, "x", 2.0)
+    results = model.run(tmp_path / "radial")
+    np.testing.assert_allclose(results.field("applied_force")[-1], 2 * end / 0.1, atol=1e-14)
+    with pytest.raises(ValueError, match="system must be one of rectangular, cylindrical, spherical, not 'polar'"):
+        model.local_axes(wire_of_model.end, (0, 0, 0), (0, 0, 1), "polar")
