@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import litz
-from decks import MATERIAL, crossed, straight, wire
+from decks import CONDUCTOR, MATERIAL, crossed, straight, wire
 from litz import Results
 from same_results import KEEP_ALL
 from test_equations import equal, equation
@@ -204,6 +204,57 @@ def test_contacts_currents_and_steps_do_not_care(run, kind):
     currents = [one.contacts["current"] for one in results]
     np.testing.assert_allclose(*currents, rtol=1e-6)
     assert len(currents[0]) >= 8
+
+
+WARM = f"""\
+{CONDUCTOR}*CONDUCTIVITY
+ 400
+*EXPANSION
+ 17e-6
+*DENSITY
+ 8960
+*SPECIFIC HEAT
+ 385
+*BEAM SECTION, ELSET=W, MATERIAL=COPPER, SECTION=CIRC
+ {RADIUS}
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ W, 293
+*BOUNDARY
+ 1, ENCASTRE
+ 9, 2, 6
+ 1, 9
+*STEP, INC=200
+*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL
+ 0.5, 5
+*BOUNDARY
+ 1, 11, 11, 293
+ 9, 11, 11, 350
+*CECURRENT
+ 9, , 30
+*CLOAD
+ 9, 1, -20
+*END STEP
+*STEP, INC=200
+*STATIC
+ 1, 1
+*TEMPERATURE
+ W, 300
+*CLOAD
+ 9, 1, 5
+*END STEP
+"""
+
+
+def test_steps_that_solve_for_temperatures_have_local_axes(run):
+    """Temperatures, potentials and currents have no direction, and stay at the nodes of the deck."""
+    results = []
+    for turn, name in ((GLOBAL, "plain"), (TURN, "turned")):
+        wires = wire("W", straight((0, 0, 0), (LENGTH, 0, 0), 8) @ turn.T, element="B33")
+        results.append(finished(run, f"{wires}*NSET, NSET=ENDS\n 1, 9\n{rectangular('ENDS', turn)}{WARM}", name))
+    # moments are those that residuals leave
+    assert_same_but_turned(*results, TURN, scale=1e-9, noise=1e-3)
+    for name in ("temperature", "potential", "reaction_heat"):
+        np.testing.assert_allclose(results[1].field(name), results[0].field(name), rtol=1e-9, atol=1e-12)
 
 
 def test_a_run_with_local_axes_goes_on_from_everywhere(litz, tmp_path):
