@@ -20,7 +20,7 @@ MAY_IMPORT = {
     "wires": set(),
     "deck": {"errors", "base"},
     "results": {"errors", "base", "wires"},
-    "runs": {"errors", "base", "results"},
+    "runs": {"errors", "base", "deck", "results"},
     "model": {"errors", "base", "wires", "deck", "results", "runs"},
     "build": {"errors", "base", "kernels", "wires", "deck", "model"},
     "sweeps": {"errors", "base", "deck", "results", "runs", "model"},

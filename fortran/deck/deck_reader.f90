@@ -8,7 +8,7 @@ module litz_deck_reader
    use litz_foreign_words, only: advice_about
    use litz_text, only: squeezed
    use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity
-   use litz_model, only: model_t, material_t
+   use litz_model, only: model_t, material_t, n_nodes_of_deck
    use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
    use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
@@ -21,6 +21,7 @@ module litz_deck_reader
    use litz_read_rigid_bodies, only: read_rigid_bodies
    use litz_read_steps, only: read_steps
    use litz_read_surfaces, only: read_surfaces
+   use litz_read_transforms, only: read_transforms
    use litz_model_checks, only: finding_t, check_connections
    use litz_unit_labels, only: unit_length, si_labels
    implicit none
@@ -81,6 +82,7 @@ contains
       if (self%errors%count == 0 .and. model%n_elements == 0) call fail_at(self, &
          self%deck%end_of_line(self%deck%n_lines), 'the deck has no *ELEMENT')
       call read_steps(self, model)
+      call read_transforms(self, model)
       call report_unused(self, self%materials, 'material')
       call report_unused(self, self%amplitudes, 'amplitude')
       call report_unused(self, self%interactions, 'surface interaction')
@@ -282,6 +284,9 @@ contains
 
       if (self%errors%count > 0) return
       allocate (spare(model%n_nodes), source=.true.)
+      ! what stands for motions of other nodes
+      spare(n_nodes_of_deck(model) + 1:) = .false.
+      spare(model%local_axes%node) = .false.
       do e = 1, model%n_elements
          spare(model%connectivity(:, e)) = .false.
       end do

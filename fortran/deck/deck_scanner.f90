@@ -7,6 +7,7 @@ module litz_deck_scanner
    use litz_errors, only: error_t, error_list_t, exit_files
    use litz_deck, only: deck_t, source_t, line_t, token_t, parameter_t, card_t, no_token, append_line, append_card
    use litz_deck_copy, only: deck_copy_t
+   use litz_numbers, only: parse_integer, number_ok
    use litz_source_files, only: read_file, real_path, relative_to
    use litz_text, only: squeezed, shown, to_text
    implicit none
@@ -20,6 +21,9 @@ module litz_deck_scanner
    character(len=1), parameter :: newline = achar(10), return_character = achar(13), tab = achar(9)
    !> What some editors write before UTF-8 text
    character(len=3), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+
+   !> Comments of decks that are written from those of users: the file and the lines that messages name
+   character(len=*), parameter :: deck_mark = '**litz deck ', line_mark = '**litz line '
 
    type :: scanner_t
       integer(int64) :: total_length = 0
@@ -87,7 +91,7 @@ contains
       deck%n_sources = deck%n_sources + 1
       scanner%total_length = scanner%total_length + len(text)
       associate (source => deck%sources(deck%n_sources))
-         source%path = path
+         source%path = path_shown(path, text)
          source%real_path = real_path(path)
          call move_alloc(text, source%text)
          source%parent = parent
@@ -159,7 +163,10 @@ contains
             call trim_line(text, line)
             if (line%first > line%last) cycle
             if (line%first < line%last) then
-               if (text(line%first:line%first + 1) == '**') cycle
+               if (text(line%first:line%first + 1) == '**') then
+                  call note_line(text(line%first:line%last), scanner%number)
+                  cycle
+               end if
             end if
             found = .true.
             return
@@ -167,6 +174,32 @@ contains
       end associate
       found = .false.
    end subroutine next_line
+
+   !> A comment that says which line of the deck of a user follows, where another program has written this one from it.
+   pure subroutine note_line(comment, number)
+      !> From its asterisks on
+      character(len=*), intent(in) :: comment
+      !> Of the line before the next one
+      integer, intent(inout) :: number
+      integer :: next, status
+
+      if (index(comment, line_mark) /= 1) return
+      call parse_integer(comment(len(line_mark) + 1:), next, status)
+      if (status == number_ok) number = next - 1
+   end subroutine note_line
+
+   !> The path that messages name: the file, or what it says that it was made from.
+   pure function path_shown(path, text) result(shown)
+      !> The file
+      character(len=*), intent(in) :: path
+      !> Its text
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: shown
+
+      shown = path
+      if (index(text(:min(len(text), len(deck_mark))), deck_mark) /= 1) return
+      shown = text(len(deck_mark) + 1:index(text, newline) - 1)
+   end function path_shown
 
    pure logical function starts_with_mark(text)
       !> Whole text of a source

@@ -55,11 +55,12 @@ module litz_foreign_words
       foreign_word_t('PARAMETER', '', '', 'write the values; litz.sweep of Python fills in {names}, litz.Deck'// &
       ' changes values'), &
       foreign_word_t('PART|END PART|ASSEMBLY|END ASSEMBLY|INSTANCE|END INSTANCE', '', '', &
-      'a deck is flat: `litz convert THIS.inp NEW.inp` places the instances'), &
+      'the program reads flat decks: `litz run` and `litz check` of the Python package place the instances, and'// &
+      ' `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NGEN|NFILL|NCOPY|NMAP|ELGEN|ELCOPY', '', '', &
       'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh'), &
-      foreign_word_t('SYSTEM|TRANSFORM', '', '', 'directions are those of the global axes: turn the model so that'// &
-      ' supports and loads lie along them'), &
+      foreign_word_t('SYSTEM', '', '', 'coordinates are global; *TRANSFORM gives supports and loads axes of their'// &
+      ' own'), &
       foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
       foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &
@@ -121,8 +122,8 @@ module litz_foreign_words
       foreign_word_t('RIGID BODY', 'ELSET|ANALYTICAL SURFACE', '', 'give the nodes, by TIE NSET=... or PIN NSET=...'), &
       foreign_word_t('RIGID BODY', 'POSITION|ISOTHERMAL', '', 'leave it out: the reference node stays where it is'), &
       foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
-      foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'a deck is flat: `litz convert THIS.inp NEW.inp` places the'// &
-      ' instances'), &
+      foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
+      ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
       'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &
@@ -212,12 +213,14 @@ module litz_foreign_words
       '|TT|TS|PT|PS|'// &
       'CP|MACH|MF|DTF|TURB|TTF|TSF|HCRI|KEQ|RT|TM|PHID', 'ask for U, UR, RF, RM, CF or CM, or leave it out', &
       role_idle), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'RECTANGULAR|CIRCULAR', 'write the first four'// &
+      ' letters, which CalculiX reads'), &
       foreign_word_t('ELASTIC|EXPANSION', '', '+', 'material data depend on temperature alone'), &
       foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &
-      foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|VELOCITY|FIELD|SOLUTION|HARDENING|PLASTIC STRAIN|'// &
-      'ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and current; apply'// &
-      ' initial loads in a first *STEP'), &
+      foreign_word_t('INITIAL CONDITIONS', 'TYPE', 'STRESS|STRAIN|DISPLACEMENT|VELOCITY|FIELD|SOLUTION|HARDENING|'// &
+      'PLASTIC STRAIN|ROTATING VELOCITY|CONCENTRATION|REF COORDINATE|CONTACT', 'a run begins without stress and'// &
+      ' current; apply initial loads in a first *STEP'), &
       foreign_word_t('FRICTION', '', '+', 'a stiffness before slip is the parameter STICK STIFFNESS')]
 
 contains

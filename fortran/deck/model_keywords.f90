@@ -126,6 +126,7 @@ contains
 
    pure subroutine add_constraints(table)
       type(keyword_table_t), intent(inout) :: table
+      character(len=2), parameter :: coordinates(6) = ['xa', 'ya', 'za', 'xb', 'yb', 'zb']
       type(keyword_t) :: k
       integer :: i
 
@@ -151,6 +152,18 @@ contains
          ' terms of the next equation'), &
          dofs_of([(i, i=1, n_fields)], integer_field('dof', 'degree of freedom', limit_positive, required=.false.)), &
          real_field('coefficient', '', 'its coefficient', required=.false.)], first=2, last=0, repeats=5)
+      call finish(table, k)
+
+      call begin(k, 'TRANSFORM', place_model, 'Local axes of nodes: *BOUNDARY, *CLOAD and *EQUATION refer to these'// &
+         ' in degrees of freedom 1 to 6. They stay as they are when nodes move. R: axis 1 points from the origin to'// &
+         ' a, and b lies in the plane of axes 1 and 2. C: axis 1 is radial, 2 tangential, and 3 along the axis,'// &
+         ' from a to b. S: axis 1 is radial from a, 2 along the circle of latitude, and 3 along the meridian,'// &
+         ' towards the pole on the side of b. Results are along the global axes, as with GLOBAL=YES'// &
+         ' of Abaqus and CalculiX.')
+      call k%add(name('NSET', 'the nodes', required=.true.))
+      call k%add(choice('TYPE', 'R|C|S', 'rectangular, cylindrical or spherical', default='R'))
+      call k%add_data([(real_field(coordinates(i), 'm', 'point a', required=.false.), i=1, 3), &
+         (real_field(coordinates(i), 'm', 'point b', required=.false.), i=4, 6)])
       call finish(table, k)
    end subroutine add_constraints
 

@@ -19,14 +19,14 @@ module litz_model
    public :: name_length
    public :: model_t, material_t, section_t, named_set_t, amplitude_t, interaction_t, contact_pair_t
    public :: rigid_body_surface_t, surface_pair_t
-   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t, equation_t
+   public :: step_t, nodal_value_t, element_heat_t, output_request_t, controls_t, rigid_body_t, equation_t, local_axes_t
    public :: axis_linear, axis_hermite
    public :: solver_default, solver_block, solver_umfpack, solver_skyline, solver_mumps
    public :: coupling_default, coupling_monolithic, coupling_updated, coupling_swept, coupling_full
    public :: request_node, request_element, request_contact, request_electrode, request_energy
    public :: shear_given, shear_round, shear_by_factors
    public :: dof_potential, dof_temperature, factor_at, leave_step, radius_at, radius_course, ramp_at
-   public :: has_element_loads, has_superconductors
+   public :: has_element_loads, has_superconductors, n_nodes_of_deck
    public :: solved_by_static, solved_by_heat, solved_by_all, procedure_of
 
    !> Longest name of a set, material, ... (longer ones are refused)
@@ -172,6 +172,16 @@ module litz_model
       integer :: line = 0
    end type equation_t
 
+   !> Axes of *TRANSFORM at a node. Its motions along them are those of a node of no element, which stands behind the
+   !> nodes of the deck in the order of these axes, with the number and at the place of the node.
+   type :: local_axes_t
+      integer :: node = 0
+      !> The first of its degrees of freedom that the axes are for: those before it move with a rigid body
+      integer :: first_dof = 1
+      !> Unit vectors, as columns
+      real(dp) :: axes(3, 3) = 0
+   end type local_axes_t
+
    !> A rigid surface in the reference configuration.
    type :: rigid_body_surface_t
       character(len=:), allocatable :: name
@@ -306,6 +316,7 @@ module litz_model
       real(dp) :: absolute_zero = 0
       !> [W/(m^2 K^4)]; 0: not given
       real(dp) :: stefan_boltzmann = 0
+      !> Nodes of the deck, and behind them those that stand for motions along local axes
       integer :: n_nodes = 0, n_elements = 0
       integer, allocatable :: node_id(:)
       !> Reference positions (3, n_nodes) [m]
@@ -320,6 +331,7 @@ module litz_model
       type(named_set_t), allocatable :: node_sets(:), element_sets(:)
       type(rigid_body_t), allocatable :: rigid_bodies(:)
       type(equation_t), allocatable :: equations(:)
+      type(local_axes_t), allocatable :: local_axes(:)
       type(material_t), allocatable :: materials(:)
       type(section_t), allocatable :: sections(:)
       type(amplitude_t), allocatable :: amplitudes(:)
@@ -355,6 +367,14 @@ contains
       has_superconductors = any([(allocated(model%materials(model%sections(i)%material)%superconductor), &
          i=1, size(model%sections))])
    end function has_superconductors
+
+   !> Nodes that the deck has.
+   pure integer function n_nodes_of_deck(model) result(n)
+      type(model_t), intent(in) :: model
+
+      n = model%n_nodes
+      if (allocated(model%local_axes)) n = n - size(model%local_axes)
+   end function n_nodes_of_deck
 
    !> The keyword that says what a step solves for, with its star.
    pure function procedure_of(step) result(keyword)

@@ -3,7 +3,7 @@
 module litz_model_checks
    use litz_kinds, only: dp
    use litz_fields, only: fields, field_displacement, field_of_dof, group_mechanical
-   use litz_model, only: model_t, step_t, equation_t, dof_potential
+   use litz_model, only: model_t, step_t, equation_t, dof_potential, n_nodes_of_deck
    use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
    use litz_rigid_modes, only: add_support, support_row, free_modes, describe_modes
    use litz_text, only: to_text
@@ -236,10 +236,9 @@ contains
       allocate (matrices(6, 6, parts%n), source=0.0_dp)
       do i = 1, size(step%boundary)
          associate (item => step%boundary(i))
-            part = parts%of_node(item%node)
+            part = parts%of_node(moved_node(model, item%node))
             if (fields(field_of_dof(item%dof))%group /= group_mechanical .or. part == 0) cycle
-            call add_support(matrices(:, :, part), support_row(item%dof, (model%x(:, item%node) - centre(:, part)) &
-               /length(part)))
+            call add_support(matrices(:, :, part), row_of(model, item%node, item%dof, centre(:, part), length(part)))
          end associate
       end do
       do i = 1, size(model%equations)
@@ -258,22 +257,56 @@ contains
       !> Of supports (6, 6, parts)
       real(dp), intent(inout) :: matrices(:, :, :)
       real(dp) :: c(6)
-      integer :: i, k, part
+      integer :: of_term(size(equation%node)), i, k, part
 
       if (fields(field_of_dof(equation%dof(1)))%group /= group_mechanical) return
-      associate (of_term => parts%of_node(equation%node))
-         do i = 1, size(of_term)
-            part = of_term(i)
-            if (part == 0 .or. any(of_term(:i - 1) == part)) cycle
-            c = 0
-            do k = 1, size(of_term)
-               if (of_term(k) == part) c = c + equation%coefficient(k)*support_row(equation%dof(k), &
-                  (model%x(:, equation%node(k)) - centre(:, part))/length(part))
-            end do
-            call add_support(matrices(:, :, part), c/maxval(abs(equation%coefficient)))
+      of_term = [(parts%of_node(moved_node(model, equation%node(k))), k=1, size(of_term))]
+      do i = 1, size(of_term)
+         part = of_term(i)
+         if (part == 0 .or. any(of_term(:i - 1) == part)) cycle
+         c = 0
+         do k = 1, size(of_term)
+            if (of_term(k) == part) c = c + equation%coefficient(k)*row_of(model, equation%node(k), equation%dof(k), &
+               centre(:, part), length(part))
+         end do
+         call add_support(matrices(:, :, part), c/maxval(abs(equation%coefficient)))
+      end do
+   end subroutine add_equation
+
+   !> The node of the deck that a node is, or for whose motions along local axes it stands.
+   pure integer function moved_node(model, node)
+      type(model_t), intent(in) :: model
+      !> Index of the node
+      integer, intent(in) :: node
+
+      moved_node = node
+      if (node > n_nodes_of_deck(model)) moved_node = model%local_axes(node - n_nodes_of_deck(model))%node
+   end function moved_node
+
+   !> A degree of freedom, along local axes where the node stands for motions along these, as `c . (t, L theta)` of its
+   !> part.
+   pure function row_of(model, node, dof, centre, length) result(c)
+      type(model_t), intent(in) :: model
+      !> Index of the node, and its degree of freedom in Abaqus's numbers
+      integer, intent(in) :: node, dof
+      !> Centre of the part (3), and its size [m]
+      real(dp), intent(in) :: centre(3), length
+      real(dp) :: c(6), arm(3)
+      integer :: first, i
+
+      arm = (model%x(:, node) - centre)/length
+      if (node <= n_nodes_of_deck(model)) then
+         c = support_row(dof, arm)
+         return
+      end if
+      first = merge(1, 4, dof < 4)
+      c = 0
+      associate (axis => model%local_axes(node - n_nodes_of_deck(model))%axes(:, dof - first + 1))
+         do i = 1, 3
+            c = c + axis(i)*support_row(first + i - 1, arm)
          end do
       end associate
-   end subroutine add_equation
+   end function row_of
 
    !> Conductors that equations join to one that is held, or to a node of no element, are held.
    pure subroutine hold_by_equations(model, parts, held)

@@ -13,7 +13,8 @@ module litz_model_record
    use litz_element_loads, only: load_label, n_load_kinds
    use litz_fields, only: fields, n_fields, n_slots, field_displacement, field_temperature, field_of_dof, slot_of_dof
    use litz_law_words, only: law_words_t
-   use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t, radius_course
+   use litz_model, only: model_t, interaction_t, step_t, nodal_value_t, rigid_body_t, n_nodes_of_deck, &
+      radius_course
    use litz_record_lines, only: record_t, kind_real, kind_sum, sum_text, bits, checksum_of_text
    use litz_text, only: to_text
    implicit none
@@ -37,6 +38,7 @@ contains
          call record_rigid_body(model, model%rigid_bodies(i), record)
       end do
       call record_equations(model, record)
+      call record_local_axes(model, record)
       do i = 1, size(model%contact_pairs)
          call record_contact_pair(model, i, record)
       end do
@@ -87,7 +89,7 @@ contains
       type(record_t), intent(inout) :: record
 
       call record%begin('the nodes')
-      call record%value('number of them', to_text(model%n_nodes))
+      call record%value('number of them', to_text(n_nodes_of_deck(model)))
       call record%list('numbers', reshape(model%node_id, [1, model%n_nodes]))
       call record%list('positions', model%x)
       call record%begin('the elements')
@@ -214,6 +216,21 @@ contains
       call record%value('number of them', to_text(size(model%equations)))
       call record%add('terms', kind_sum, sum_text(checksum(sums)))
    end subroutine record_equations
+
+   !> All local axes, in the order of the nodes that stand for motions along them.
+   pure subroutine record_local_axes(model, record)
+      type(model_t), intent(in) :: model
+      type(record_t), intent(inout) :: record
+      integer :: i
+
+      if (size(model%local_axes) == 0) return
+      call record%begin('the local axes (*TRANSFORM)')
+      call record%value('number of nodes with supports, loads or equations along them', &
+         to_text(size(model%local_axes)))
+      call record%list('nodes', reshape(model%node_id(model%local_axes%node), [1, size(model%local_axes)]))
+      call record%list('axes', reshape([(model%local_axes(i)%axes, i=1, size(model%local_axes))], &
+         [9, size(model%local_axes)]))
+   end subroutine record_local_axes
 
    !> A contact pair and the laws of its interaction.
    subroutine record_contact_pair(model, i, record)

@@ -10,6 +10,7 @@ module litz_model_summary
    use litz_law_words, only: law_words_t
    use litz_stick_laws, only: stick_laws
    use litz_model, only: model_t, step_t, interaction_t, output_request_t, named_set_t, nodal_value_t, &
+      n_nodes_of_deck, &
       element_heat_t, &
       coupling_default, coupling_monolithic, coupling_full, request_node, request_element, request_contact, &
       request_energy
@@ -38,7 +39,7 @@ contains
       allocate (included(model%n_elements), source=.true.)
       call find_parts(model, included, parts)
       if (len(model%heading) > 0) call summary%append(model%heading//nl)
-      call summary%append(plural(model%n_nodes, 'node')//', '//plural(model%n_elements, 'element')//' ('// &
+      call summary%append(plural(n_nodes_of_deck(model), 'node')//', '//plural(model%n_elements, 'element')//' ('// &
          counted_types(model%element_type)//'), '//plural(parts%n, 'connected part')//nl)
       do i = 1, size(model%materials)
          call summary%append(material_line(i))
@@ -53,6 +54,8 @@ contains
                plural(size(this%tied), 'node')//' tied, '//to_text(size(this%pinned))//' pinned'//nl)
          end associate
       end do
+      if (size(model%local_axes) > 0) call summary%append('supports, loads or equations along local axes at '// &
+         plural(size(model%local_axes), 'node')//nl)
       if (size(model%initial) > 0) call summary%append('before the first step'//nl//value_lines(model%initial, 'given'))
       do i = 1, size(model%amplitudes)
          associate (this => model%amplitudes(i))

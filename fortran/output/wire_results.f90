@@ -5,7 +5,7 @@
 module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
-   use litz_model, only: model_t, section_t, named_set_t, radius_course
+   use litz_model, only: model_t, section_t, named_set_t, n_nodes_of_deck, radius_course
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, choose_results, list_wire_quantities
    use litz_state, only: state_t
@@ -50,8 +50,8 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
 
-      call self%create(path, model%n_nodes, model%n_elements, most_written_increments(model), error)
-      call self%write_cells(vtk_line, model%connectivity, model%n_nodes, error)
+      call self%create(path, n_nodes_of_deck(model), model%n_elements, most_written_increments(model), error)
+      call self%write_cells(vtk_line, model%connectivity, n_nodes_of_deck(model), error)
       self%units = model%units
       call add_fields(self, model, error)
       call write_static_fields(self, model, error)
@@ -88,7 +88,8 @@ contains
       call choose_results(model, nothing)
       call list_wire_quantities(nothing, list)
       do i = 1, size(list)
-         call file%add_field(list(i), merge(model%n_nodes, model%n_elements, list(i)%place == on_points), error)
+         call file%add_field(list(i), merge(n_nodes_of_deck(model), model%n_elements, &
+            list(i)%place == on_points), error)
       end do
    end subroutine add_fields
 
@@ -98,17 +99,18 @@ contains
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       type(wire_chains_t) :: chains
-      integer :: i
+      integer :: i, n
 
+      n = n_nodes_of_deck(model)
       call file%add_field(quantity_t('reference_position', 'm', 'position before any deformation', on_points, 3), &
-         model%n_nodes, error)
-      call file%write_field('reference_position', model%x, error)
+         n, error)
+      call file%write_field('reference_position', model%x(:, :n), error)
       call file%add_field(quantity_t('radius', 'm', &
          'radius that touches other wires; without one, that of a circle with the area of the section', on_cells), &
          model%n_elements, error)
       call file%write_field('radius', reshape([(drawn_radius(model%sections(model%element_section(i))), &
          i=1, model%n_elements)], [1, model%n_elements]), error)
-      call add_numbers('node_id', 'number of the node in the deck', on_points, model%node_id)
+      call add_numbers('node_id', 'number of the node in the deck', on_points, model%node_id(:n))
       call add_numbers('element_id', 'number of the element in the deck', on_cells, model%element_id)
       call add_numbers('section', 'number of the *BEAM SECTION in the deck, from 1', on_cells, model%element_section)
       call find_wire_chains(model%connectivity, model%n_nodes, chains)
@@ -252,12 +254,15 @@ contains
       type(state_t), intent(in), target :: state
       type(error_t), allocatable, intent(inout) :: error
       type(wire_quantity_t), allocatable :: list(:)
-      integer :: i
+      integer :: i, n
 
-      call self%write_points(model%x + state%value(1:3, :), error)
+      n = n_nodes_of_deck(model)
+      call self%write_points(model%x(:, :n) + state%value(1:3, :n), error)
       call list_wire_quantities(state, list)
       do i = 1, size(list)
-         call self%write_field(list(i)%name, list(i)%values, error)
+         associate (last => merge(n, model%n_elements, list(i)%place == on_points))
+            call self%write_field(list(i)%name, list(i)%values(:, :last), error)
+         end associate
       end do
       call write_tables(self, state, error)
       call self%end_step(state%time, error)

@@ -53,12 +53,17 @@ contains
    pure real(dp) function work_of_increment(problem) result(work)
       type(problem_t), intent(in) :: problem
       integer :: node
+      logical :: has_local_axes(problem%model%n_nodes)
       real(dp), dimension(motion_slots(2)) :: outer_start, outer
 
       work = 0
+      ! their work is that along the axes
+      has_local_axes = .false.
+      if (allocated(problem%model%local_axes)) has_local_axes(problem%model%local_axes%node) = .true.
       associate (first => motion_slots(1), last => motion_slots(2), state => problem%state, &
          loading => problem%loading, internal => problem%forces%internal)
          do node = 1, problem%model%n_nodes
+            if (has_local_axes(node)) cycle
             outer_start = state%reaction(first:last, node) + state%load(first:last, node)
             outer = merge(internal(first:last, node), loading%load(first:last, node), loading%fixed(first:last, node))
             work = work + dot_product(outer_start + outer, problem%iterate%change(first:last, node))/2

@@ -5,7 +5,8 @@ module litz_equation_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_of_slot, first_slot, motion_slots, n_slots
+   use litz_fields, only: field_of_slot, first_slot, motion_slots, n_slots, slot_of_dof
+   use litz_model, only: n_nodes_of_deck
    use litz_term, only: term_t
    implicit none
    private
@@ -142,6 +143,30 @@ contains
          end do
          domain%state%outer_force = domain%state%outer_force + force
       end associate
+      call turn_to_global_axes(domain)
    end subroutine accept
+
+   !> Results have what supports and loads along local axes do to a node as forces along the global ones.
+   pure subroutine turn_to_global_axes(domain)
+      type(domain_t), intent(inout) :: domain
+      integer :: i, slot
+
+      if (.not. allocated(domain%model%local_axes)) return
+      associate (state => domain%state)
+         do i = 1, size(domain%model%local_axes)
+            associate (local => domain%model%local_axes(i), along => n_nodes_of_deck(domain%model) + i)
+               do slot = slot_of_dof(local%first_dof), motion_slots(2), 3
+                  associate (node => local%node, first => slot, last => slot + 2)
+                     state%reaction(first:last, node) = matmul(local%axes, state%reaction(first:last, along))
+                     state%load(first:last, node) = matmul(local%axes, state%load(first:last, along))
+                     ! the equations have them, too
+                     state%outer_force(first:last, node) = state%outer_force(first:last, node) &
+                        - state%reaction(first:last, node) - state%load(first:last, node)
+                  end associate
+               end do
+            end associate
+         end do
+      end associate
+   end subroutine turn_to_global_axes
 
 end module litz_equation_term

@@ -1,11 +1,13 @@
 !> Degrees of freedom that linear equations eliminate: `q_d = sum w_i q_i`. Source: theory section 17.
 !>
 !> Values of displacements, potentials and temperatures fulfil them exactly, rotations by their increments: with weights
-!> of one between all three rotations of two nodes these turn alike.
+!> of one between all three rotations of two nodes these turn alike. Those of a node with local axes are the motions
+!> along these: `q = A q_local`, which is as exact for rotations, as axes do not turn.
 module litz_linear_constraints
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_slots, first_slot, field_displacement, field_of_slot, rotation_slots, slot_of_dof
-   use litz_model, only: model_t
+   use litz_fields, only: fields, n_slots, first_slot, field_displacement, field_of_slot, motion_slots, &
+      rotation_slots, slot_of_dof
+   use litz_model, only: model_t, local_axes_t, n_nodes_of_deck
    implicit none
    private
    public :: linear_constraints_t, new_linear_constraints
@@ -32,33 +34,86 @@ module litz_linear_constraints
 
 contains
 
-   !> Those of a model.
+   !> Those of a model: its equations, and behind them those of local axes.
    pure type(linear_constraints_t) function new_linear_constraints(model) result(new)
       type(model_t), intent(in) :: model
       integer :: i, k
 
-      new%n = size(model%equations)
-      allocate (new%node(new%n), new%slot(new%n), new%start(new%n + 1), new%master_node(0), new%master_slot(0), &
-         new%weight(0))
+      allocate (new%node(0), new%slot(0), new%start(1), new%master_node(0), new%master_slot(0), new%weight(0))
       allocate (new%of(n_slots, model%n_nodes), source=0)
       allocate (new%has_any(model%n_nodes), new%turns_alone(model%n_nodes), source=.false.)
       new%start(1) = 1
-      do i = 1, new%n
+      do i = 1, size(model%equations)
          associate (this => model%equations(i))
-            new%node(i) = this%node(1)
-            new%slot(i) = slot_of_dof(this%dof(1))
-            new%master_node = [new%master_node, this%node(2:)]
-            new%master_slot = [new%master_slot, [(slot_of_dof(this%dof(k)), k=2, size(this%dof))]]
-            new%weight = [new%weight, -this%coefficient(2:)/this%coefficient(1)]
-            new%start(i + 1) = new%start(i) + size(this%node) - 1
+            call add(new, this%node(1), slot_of_dof(this%dof(1)), this%node(2:), &
+               [(slot_of_dof(this%dof(k)), k=2, size(this%dof))], -this%coefficient(2:)/this%coefficient(1))
          end associate
-         new%of(new%slot(i), new%node(i)) = i
-         new%has_any(new%node(i)) = .true.
       end do
       do i = 1, new%n
          call note_turns(new, i)
       end do
+      if (.not. allocated(model%local_axes)) return
+      do i = 1, size(model%local_axes)
+         call add_local_axes(new, model%local_axes(i), n_nodes_of_deck(model) + i)
+      end do
    end function new_linear_constraints
+
+   !> One more.
+   pure subroutine add(self, node, slot, nodes, slots, weights)
+      type(linear_constraints_t), intent(inout) :: self
+      !> Of the unknown that it eliminates
+      integer, intent(in) :: node, slot
+      !> Of the others in it (n)
+      integer, intent(in) :: nodes(:), slots(:)
+      !> Of these (n)
+      real(dp), intent(in) :: weights(:)
+
+      self%n = self%n + 1
+      self%node = [self%node, node]
+      self%slot = [self%slot, slot]
+      self%master_node = [self%master_node, nodes]
+      self%master_slot = [self%master_slot, slots]
+      self%weight = [self%weight, weights]
+      self%start = [self%start, self%start(self%n) + size(nodes)]
+      self%of(slot, node) = self%n
+      self%has_any(node) = .true.
+   end subroutine add
+
+   !> Motions of a node from those along its axes, or from what equations make of the latter.
+   pure subroutine add_local_axes(self, local, along)
+      type(linear_constraints_t), intent(inout) :: self
+      type(local_axes_t), intent(in) :: local
+      !> The node that has the motions along the axes
+      integer, intent(in) :: along
+      integer, allocatable :: nodes(:), slots(:)
+      real(dp), allocatable :: weights(:)
+      integer :: slot, first, i, k
+
+      do slot = slot_of_dof(local%first_dof), motion_slots(2)
+         first = first_slot(field_of_slot(slot))
+         allocate (nodes(0), slots(0), weights(0))
+         do k = 1, 3
+            associate (weight => local%axes(slot - first + 1, k))
+               if (.not. abs(weight) > 0) cycle
+               i = self%of(first + k - 1, along)
+               if (i == 0) then
+                  nodes = [nodes, along]
+                  slots = [slots, first + k - 1]
+                  weights = [weights, weight]
+               else
+                  associate (a => self%start(i), b => self%start(i + 1) - 1)
+                     nodes = [nodes, self%master_node(a:b)]
+                     slots = [slots, self%master_slot(a:b)]
+                     weights = [weights, weight*self%weight(a:b)]
+                  end associate
+               end if
+            end associate
+         end do
+         call add(self, local%node, slot, nodes, slots, weights)
+         deallocate (nodes, slots, weights)
+      end do
+      self%turns_alone(local%node) = self%turns_alone(along)
+   end subroutine add_local_axes
 
    !> A node turns with another one where each of its rotations is that of the other; all others turn alone.
    pure subroutine note_turns(self, i)

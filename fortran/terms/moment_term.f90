@@ -1,13 +1,14 @@
 !> Moments about fixed axes, which do not follow from a potential: what they take off the Hessian of the energy.
 !>
-!> The same holds for the reaction moment at a node of which one rotation is held and two are free, and for what an
-!> equation does to rotations about single axes: this term comes after those that make the forces. Source: theory
-!> sections 3 and 17.
+!> The same holds for the reaction moment at a node of which one rotation is held and two are free, about fixed axes of
+!> its own where it has these, and for what an equation does to rotations about single axes: this term comes after those
+!> that make the forces. Source: theory sections 3 and 17.
 module litz_moment_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: rotation_slots
+   use litz_model, only: n_nodes_of_deck
    use litz_rotations, only: skew
    use litz_term, only: term_t
    implicit none
@@ -39,7 +40,7 @@ contains
                moment = internal(first:last, node)
             else
                if (count(free) < 2) cycle
-               moment = merge(load(first:last, node), internal(first:last, node), free)
+               moment = merge(load(first:last, node), moment_at(domain, node), free)
             end if
             if (.not. any(abs(moment) > 0)) cycle
             call domain%lose_symmetry()
@@ -47,5 +48,23 @@ contains
          end do
       end associate
    end subroutine evaluate
+
+   !> What the cells do to a node, or to the one whose rotations about local axes it stands for [N m].
+   pure function moment_at(domain, node) result(moment)
+      type(domain_t), intent(in) :: domain
+      !> Node
+      integer, intent(in) :: node
+      real(dp) :: moment(3)
+
+      associate (internal => domain%forces%internal(rotation_slots(1):rotation_slots(2), :), &
+         i => node - n_nodes_of_deck(domain%model))
+         moment = internal(:, node)
+         if (i <= 0) return
+         associate (local => domain%model%local_axes(i))
+            if (domain%iterate%constraints%turns_alone(local%node)) return
+            moment = matmul(internal(:, local%node), local%axes)
+         end associate
+      end associate
+   end function moment_at
 
 end module litz_moment_term

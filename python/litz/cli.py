@@ -2,11 +2,13 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import warnings
 from collections.abc import Sequence
 from importlib import import_module
+from pathlib import Path
 
 from .base.program import program_environment, program_path
 from .errors import LitzError
@@ -26,6 +28,7 @@ Commands of the Python package:
   litz convert MESH DECK --radius R       a deck from one of Abaqus or CalculiX, or from a mesh of gmsh, BeamMe or meshio
   litz export RESULTS --to FORMAT         results as csv, vtu (ParaView series), xdmf or vtkhdf; -o DIR says where to
   litz export feap|abaqus DECK            the model for a program with litz's contact element as a user element
+  litz export ccx DECK                    the beams, supports and loads for CalculiX, without contacts and currents
   litz network RESULTS [--csv FILE] [--graphml FILE]
                                           resistances between wires; the circuit of wires and contacts as files
 RESULTS is a result file (.vtkhdf), a deck (.inp) that was run here, or a directory with the results of one run.
@@ -72,13 +75,40 @@ def _show_warning(message: Warning | str, *_: object, **_also: object) -> None:
     print(f"warning: {message}", file=sys.stderr)
 
 
+def _may_have_parts(deck: Path) -> bool:
+    """Whether it is worth looking for parts: numpy, which that needs, takes a while to load."""
+    text = deck.read_bytes().lower()
+    return b"part" in text or b"include" in text
+
+
+def _run_flat(program: str, arguments: list[str], deck: int, environment: dict[str, str]) -> int:
+    """Run the program on a deck whose instances have been placed, and pass on the signals that end it."""
+    flat_deck = import_module(".deck.instances", __package__).flat_deck
+    with flat_deck(Path(arguments[deck])) as flat:
+        command = [program, *arguments[:deck], str(flat), *arguments[deck + 1 :]]
+        if str(flat) == arguments[deck]:
+            os.execve(program, command, environment)
+        with subprocess.Popen(command, env=environment) as process:
+            # Ctrl-C goes to the program as well, which ends by itself
+            signal.signal(signal.SIGINT, lambda *_: None)
+            signal.signal(signal.SIGTERM, lambda *_: process.terminate())
+            exit_code = process.wait()
+    return exit_code if exit_code >= 0 else 128 - exit_code
+
+
 def _run_program(arguments: list[str]) -> int:
     """Become the Fortran program, so that signals, standard streams and the exit code are its own."""
     program = str(program_path())
     if arguments and (arguments[0] not in _HELP or len(arguments) > 1):
         sys.stdout.flush()
         columns = str(shutil.get_terminal_size((100, 24)).columns)
-        os.execve(program, [program, *arguments], {**program_environment(), "COLUMNS": columns})
+        environment = {**program_environment(), "COLUMNS": columns}
+        files = [
+            i for i in range(1, len(arguments)) if arguments[i - 1] != "--restart" and Path(arguments[i]).is_file()
+        ]
+        if arguments[0] in ("run", "check") and files and _may_have_parts(Path(arguments[files[0]])):
+            return _run_flat(program, arguments, files[0], environment)
+        os.execve(program, [program, *arguments], environment)
     exit_code = subprocess.run([program, "--help"], check=False).returncode
     print(_PYTHON_HELP, end="")
     return exit_code

@@ -3,7 +3,7 @@
 module litz_model_listing
    use litz_kinds, only: dp, int64
    use litz_model, only: model_t, step_t, named_set_t, nodal_value_t, amplitude_t, section_t, interaction_t, &
-      solved_by_heat
+      n_nodes_of_deck, solved_by_heat
    use litz_text, only: to_text
    implicit none
    private
@@ -21,7 +21,7 @@ contains
       integer :: i
 
       write (unit, '(a)') 'absolute zero'//show([model%absolute_zero, model%stefan_boltzmann])
-      do i = 1, model%n_nodes
+      do i = 1, n_nodes_of_deck(model)
          write (unit, '(a)') 'node'//show([model%node_id(i)])//show(model%x(:, i))
       end do
       do i = 1, model%n_elements

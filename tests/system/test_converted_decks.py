@@ -122,14 +122,37 @@ def test_what_is_left_out_is_told_with_its_reason_and_stands_as_a_comment(conver
     assert "** Section: Section-1\n" in text
 
 
-def test_local_axes_of_nodes_are_not_left_out_unnoticed(convert):
-    """Without them supports and loads would act along other axes."""
-    done, text = convert(
-        CAE.replace("*Amplitude, name", "*Transform, nset=Roots\n 0., 1., 0., -1., 0., 0.\n*Amplitude, name")
+@pytest.mark.parametrize("place", ["part", "assembly"])
+@pytest.mark.parametrize("system", ["R", "C"])
+def test_local_axes_of_nodes_are_kept(convert, litz, tmp_path, place, system):
+    """Those of a part turn with its instances: the tips are loaded along the length of their bars, or around it."""
+    # axes (y, z, x) of the part; of a cylinder about a line beside the tip, along the bar
+    card = {
+        "R": "*Transform, nset=Set-1\n 0., 1., 0., 0., 0., 1.\n",
+        "C": "*Transform, nset=Set-1, type=C\n 0., -1., 0., 1., -1., 0.\n",
+    }[system]
+    if place == "assembly":
+        # the second bar lies along y, and its own y is -x
+        card = (
+            card.replace("Set-1", "Bar-1.Set-1")
+            + {
+                "R": "*Transform, nset=Bar-2.Set-1\n -1., 0., 0., 0., 0., 1.\n",
+                "C": "*Transform, nset=Bar-2.Set-1, type=C\n 1., 0., 40., 1., 1., 40.\n",
+            }[system]
+        )
+        text = CAE.replace("*Amplitude, name", card + "*Amplitude, name")
+    else:
+        text = CAE.replace("*End Part", card + "*End Part")
+    # both tips: 2 N along the bar, 1 mN along its y
+    text = text.replace(
+        "Bar-1.3, 3, 1e-3\nTip-2, 3, 2e-3\n", "Bar-1.3, 3, 2.\nBar-1.3, 1, 1e-3\nTip-2, 3, 2.\nTip-2, 1, 1e-3\n"
     )
-    assert done.returncode == 1
-    assert "litz has no *TRANSFORM" in done.stderr.split("ARE OTHERS:")[1]
-    assert "** *Transform, nset=Roots\n" in text
+    done, _ = convert(text)
+    assert done.returncode == 0, done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    applied = Results(tmp_path / "out").field("applied_force")
+    np.testing.assert_allclose(applied[[2, 5]], [[2, 1e-3, 0], [-1e-3, 2, 0]], atol=1e-12)
 
 
 def test_numbers_stay_where_no_two_instances_share_them(convert):

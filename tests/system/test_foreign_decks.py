@@ -249,7 +249,10 @@ def test_parts_are_one_error(check):
     told = check(CAE.replace(part, parts).replace("nset=Set-1", "nset=Set-1, instance=A-1"))
     assert told.returncode == 1
     (told_once,) = errors_in(told.stderr)
-    assert "litz has no *PART: a deck is flat: `litz convert THIS.inp NEW.inp` places the instances" in told_once
+    assert (
+        "litz has no *PART: the program reads flat decks: `litz run` and `litz check` of the Python package place"
+        in told_once
+    )
 
 
 @pytest.mark.parametrize(("foreign", "own"), [("B31R", "B31"), ("B31H", "B31"), ("B33H", "B33")])

@@ -1,6 +1,7 @@
 """Models of decks for programs that have the contact element as a user element."""
 
 import re
+import shutil
 import subprocess
 import sys
 import warnings
@@ -9,9 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import litz
 from litz import kernels, read_mesh
 from litz.errors import FileError, InputError
-from litz.hosts import abaqus_input, feap_input, read_host_model
+from litz.hosts import abaqus_input, ccx_input, feap_input, read_host_model
 
 INPUTS = Path(__file__).parents[2] / "inputs"
 CROSSED = INPUTS / "01_crossed_wires.inp"
@@ -243,8 +245,113 @@ class TestCommand:
         assert "is not overwritten" in again.stderr
 
     def test_it_says_what_there_is(self, tmp_path):
-        done = self.call("ccx", CROSSED)
-        assert done.returncode == 1
-        assert "litz has no user element for CalculiX" in done.stderr
+        assert self.call("nastran", CROSSED).returncode == 1
         assert self.call("feap", CROSSED, "--reach", "-1").returncode == 1
         assert self.call("feap", tmp_path / "missing.inp").returncode == FileError.exit_code
+
+    def test_it_says_what_calculix_lacks(self, tmp_path):
+        path = tmp_path / "crossed_ccx.inp"
+        done = self.call("ccx", CROSSED, "-o", path)
+        assert done.returncode == 0
+        assert f"24 nodes, 22 beams; run it: ccx -i {tmp_path}/crossed_ccx" in done.stdout
+        assert "left out: contact of 1 pairs of elements" in done.stdout
+        assert "left out: potentials and currents" in done.stdout
+        assert "** left out: contact of 1 pairs of elements" in path.read_text()
+
+
+#: A cantilever of steel, 100 mm long and 2 mm thick
+CANTILEVER = """\
+*NODE
+{nodes}*ELEMENT, TYPE=B33, ELSET=WIRE
+{elements}*NSET, NSET=TIP
+ {last}
+*MATERIAL, NAME=STEEL
+*ELASTIC
+ 200e9, 0.3
+*BEAM SECTION, ELSET=WIRE, MATERIAL=STEEL, SECTION=CIRC
+ 1e-3
+{cards}*BOUNDARY
+ 1, ENCASTRE
+*STEP
+*STATIC
+ 0.1, 1.
+{loads}
+*END STEP
+"""
+
+
+def cantilever(path, n, loads, cards="", direction=(1.0, 0.0, 0.0)):
+    places = np.outer(np.linspace(0, 0.1, n + 1), direction)
+    path.write_text(
+        CANTILEVER.format(
+            nodes="".join(f" {i}, {x:.17g}, {y:.17g}, {z:.17g}\n" for i, (x, y, z) in enumerate(places, 1)),
+            elements="".join(f" {i}, {i}, {i + 1}\n" for i in range(1, n + 1)),
+            last=n + 1, cards=cards, loads=loads,
+        )
+    )  # fmt: skip
+    return path
+
+
+class TestCalculix:
+    """CalculiX takes beams for bricks, and a circle for an octagon of curved sides: of 2 % too small an area."""
+
+    def displacements(self, deck):
+        """Of all nodes at the end, as CalculiX prints them."""
+        path = deck.with_name(deck.stem + "_ccx.inp")
+        path.write_text(ccx_input(read_host_model(deck)))
+        subprocess.run(["ccx", "-i", path.stem], cwd=path.parent, check=True, capture_output=True)
+        blocks = path.with_suffix(".dat").read_text().split("displacements (vx,vy,vz)")
+        last = blocks[-1].split("forces")[0].splitlines()[1:]
+        rows = [[float(value) for value in line.split()[1:4]] for line in last if len(line.split()) == 4]
+        return np.array(rows)
+
+    def test_the_input_is_that_of_quadratic_beams_with_diameters(self, tmp_path):
+        text = ccx_input(read_host_model(cantilever(tmp_path / "beam.inp", 2, "*CLOAD\n 3, 2, 1.0")))
+        assert "*ELEMENT, TYPE=B32R, ELSET=WIRES_1\n1, 1, 4, 2\n2, 2, 5, 3\n" in text
+        assert "4, 0.025, 0, 0\n5, 0.075, 0, 0\n" in text
+        assert "SECTION=CIRC\n0.002, 0.002\n" in text
+        assert "*CLOAD\n3, 2, 1\n" in text
+
+    @pytest.mark.skipif(shutil.which("ccx") is None, reason="apt-get install calculix-ccx")
+    @pytest.mark.parametrize(
+        ("loads", "n", "tolerance"),
+        [
+            # elements of five diameters, and of one and a quarter
+            ("*CLOAD\n {tip}, 2, 0.01", 10, 0.02), ("*CLOAD\n {tip}, 2, 0.01", 40, 0.01),
+            # a deflection of more than half the length
+            ("*CLOAD\n {tip}, 2, 40.0", 10, 0.02), ("*CLOAD\n {tip}, 2, 40.0", 40, 0.01),
+            ("*BOUNDARY\n {tip}, 2, 2, 0.03", 10, 0.03),
+            # the area is 2.5 % smaller
+            ("*CLOAD\n {tip}, 1, 100.", 40, 0.03),
+        ],
+    )  # fmt: skip
+    def test_a_cantilever_is_that_of_litz(self, tmp_path, loads, n, tolerance):
+        deck = cantilever(tmp_path / "beam.inp", n, loads.format(tip=n + 1))
+        own = litz.run(deck, output_directory=tmp_path / "own").field("displacement")[-1]
+        other = self.displacements(deck)[n]
+        assert np.linalg.norm(other - own) < tolerance * np.linalg.norm(own)
+        assert np.linalg.norm(own) > 1e-5
+
+    @pytest.mark.skipif(shutil.which("ccx") is None, reason="apt-get install calculix-ccx")
+    @pytest.mark.parametrize(
+        "system", [" 0., 0., 1., 1., 0., 0.", ", TYPE=C\n 0., 0., -1., 0., 0., 1."], ids=["rectangular", "cylindrical"]
+    )
+    def test_local_axes_are_passed_on(self, tmp_path, system):
+        """A wire along y and z, loaded along the first of its local axes, which is z, or radial from z: y."""
+        card = f"*TRANSFORM, NSET=TIP{system}\n" if system.startswith(",") else f"*TRANSFORM, NSET=TIP\n{system}\n"
+        deck = cantilever(tmp_path / "beam.inp", 20, "*CLOAD\n TIP, 1, 0.01", card, (0.0, 0.6, 0.8)).resolve()
+        text = deck.read_text().replace("*CLOAD\n TIP", "*CLOAD\n 21")
+        deck.write_text(text)
+        own = litz.run(deck, output_directory=tmp_path / "own").field("displacement")[-1]
+        other = self.displacements(deck)[20]
+        assert np.linalg.norm(other - own) < 0.015 * np.linalg.norm(own)
+        assert np.linalg.norm(own) > 1e-5
+
+    def test_axes_that_a_program_lacks_are_refused(self, tmp_path):
+        card = "*TRANSFORM, NSET=TIP, TYPE=S\n 0., 0., -1., 0., 0., 1.\n"
+        model = read_host_model(cantilever(tmp_path / "beam.inp", 2, "*CLOAD\n 3, 2, 1.0", card))
+        assert "*TRANSFORM, NSET=LOCAL_AXES_1, TYPE=S\n 0, 0, -1, 0, 0, 1\n" in abaqus_input(model)
+        with pytest.raises(FileError, match="CalculiX has no \\*TRANSFORM, TYPE=S"):
+            ccx_input(model)
+        with pytest.raises(FileError, match="cannot be exported to FEAP"):
+            feap_input(model)

@@ -556,7 +556,8 @@ contains
    end subroutine check_coupled_steps
 
    !> Unknowns that linear equations eliminate: of one node and of several, displacements by rotations, rotations of two
-   !> nodes that turn alike, of single axes, of reference nodes of rigid bodies, potentials and temperatures.
+   !> nodes that turn alike, of single axes, of reference nodes of rigid bodies, potentials and temperatures;
+   !> and motions along local axes.
    subroutine check_equations()
       character(len=*), parameter :: motions = '*EQUATION'//nl//'3'//nl//'3, 1, 2, 2, 1, -1'//nl//'2, 4, 0.001'//nl// &
          '2'//nl//'12, 3, 1, 13, 3, -0.5'//nl//'2'//nl//'2, 2, 1, 13, 2, 0.2'//nl
@@ -566,6 +567,8 @@ contains
          '13, 9, 1, 12, 9, -0.5, 2, 9, -0.5'//nl
       character(len=*), parameter :: loads = '*CLOAD'//nl//'3, 1, 0.5'//nl//'13, 5, 0.02'//nl//'3, 5, 0.01'//nl// &
          '2, 6, 0.03'//nl, cold = '2'//nl//'3, 11, 1, 2, 11, -1'//nl
+      character(len=*), parameter :: axes = '*NSET, NSET=TURNED'//nl//'2, 3, 13'//nl//'*TRANSFORM, NSET=TURNED'//nl// &
+         '1, 0.3, -0.2, 0.4, 1, 0.5'//nl
 
       call start_random_numbers()
       call check_terms('equations of motions', 'B33', 'B31', penalty//spot, '', loads, exact, bodies=motions//alike)
@@ -585,6 +588,10 @@ contains
       call check_shared('equations of contacts on one element', spot, '*EQUATION'//nl//'2'//nl//'3, 9, 1, 2, 9, -0.6' &
          //nl//'2'//nl//'3, 11, 1, 2, 11, -1'//nl)
       expansion = ''
+      call start_random_numbers()
+      call check_terms('local axes', 'B33', 'B31', penalty//spot, '', loads, exact, bodies=axes)
+      call check_terms('equations along local axes', 'B33', 'B33', penalty//spot, '', loads, exact, &
+         bodies=motions//single//axes)
    end subroutine check_equations
 
    !> Forces on the length of elements: of fixed direction, turning with the sections, and of a magnetic field on the

@@ -3,19 +3,23 @@
 from pathlib import Path
 
 from ..errors import FileError
-from ..hosts import abaqus_input, feap_input, read_host_model
+from ..hosts import abaqus_input, ccx_input, feap_input, missing_in_ccx, read_host_model
 from ..results import Results
 from ..results.exports import export
 from ..results.history_table import history_table
 from .parsers import command_parser, results_parser
 
 #: Programs for which models are written, and the endings of their input files
-_HOSTS = {"feap": (feap_input, "_feap.txt"), "abaqus": (abaqus_input, "_abaqus.inp")}
+_HOSTS = {
+    "feap": (feap_input, "_feap.txt"),
+    "abaqus": (abaqus_input, "_abaqus.inp"),
+    "ccx": (ccx_input, "_ccx.inp"),
+}
 
 
 def export_command(arguments: list[str]) -> int:
     """`litz export`: results, or a model, for another program."""
-    if arguments and arguments[0] in (*_HOSTS, "ccx"):
+    if arguments and arguments[0] in _HOSTS:
         return _export_model(arguments)
     parser = results_parser("export", "Write results for another program.")
     parser.add_argument("--to", required=True, metavar="FORMAT", help="csv, vtu, xdmf or vtkhdf")
@@ -29,13 +33,17 @@ def export_command(arguments: list[str]) -> int:
 
 
 def _export_model(arguments: list[str]) -> int:
-    """`litz export feap|abaqus DECK`: the model for a program that has the user elements of litz."""
+    """`litz export feap|abaqus|ccx DECK`: the model for another program."""
     parser = command_parser(
-        "export", "Write the model of a deck for a program that has litz's contact element as a user element."
+        "export",
+        "Write the model of a deck for a program that has litz's contact element as a user element (feap, abaqus), or its"
+        " beams without contacts and currents (ccx).",
     )
-    parser.add_argument("program", choices=[*_HOSTS, "ccx"], help="feap, abaqus")
+    parser.add_argument("program", choices=_HOSTS, help="feap, abaqus or ccx")
     parser.add_argument("deck", metavar="DECK", help="deck of wires with round sections")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: DECK_feap.txt or DECK_abaqus.inp")
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="FILE", help="default: DECK_feap.txt, DECK_abaqus.inp or DECK_ccx.inp"
+    )
     parser.add_argument(
         "--reach",
         type=float,
@@ -43,10 +51,6 @@ def _export_model(arguments: list[str]) -> int:
         help="elements whose surfaces are that near before loading are candidates of contact; default: largest diameter",
     )
     options = parser.parse_args(arguments)
-    if options.program == "ccx":
-        parser.error(
-            "litz has no user element for CalculiX, whose user elements are part of its own sources; there are feap and abaqus"
-        )
     if options.reach is not None and not options.reach > 0:
         parser.error(f"--reach must be greater than 0, not {options.reach:g}")
     write, ending = _HOSTS[options.program]
@@ -64,10 +68,13 @@ def _export_model(arguments: list[str]) -> int:
         path.write_text(text, encoding="utf-8")
     except OSError as error:
         raise FileError(f"cannot write {path}: {error.strerror or error}") from None
-    print(
-        f"wrote {path}: {len(model.x)} nodes, {len(model.connectivity)} beams, {len(model.pairs)} pairs that may touch\n"
-        "how to build the program with the elements: docs/user_element.md"
-    )
+    print(f"wrote {path}: {len(model.x)} nodes, {len(model.connectivity)} beams", end="")
+    if options.program == "ccx":
+        print(f"; run it: ccx -i {path.with_suffix('')}")
+        print("".join(f"left out: {one}\n" for one in missing_in_ccx(model)), end="")
+    else:
+        print(f", {len(model.pairs)} pairs that may touch")
+        print("how to build the program with the elements: docs/user_element.md")
     return 0
 
 

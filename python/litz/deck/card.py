@@ -38,6 +38,8 @@ class Card:
         The keyword line and those that continue it.
     body : list of str
         What follows: data lines, with comments and blank lines among them.
+    line : int
+        Number of the keyword line in its file; 0: the card was made by hand.
 
     Examples
     --------
@@ -52,6 +54,7 @@ class Card:
     comments: list[str] = field(default_factory=list)
     head: list[str] = field(default_factory=list)
     body: list[str] = field(default_factory=list)
+    line: int = 0
 
     @classmethod
     def make(cls, name: str, parameters: dict[str, Any] | None = None, rows: Iterable[Sequence[Value]] = ()) -> "Card":
@@ -203,11 +206,11 @@ def parse_cards(text: str) -> tuple[list[Card], list[str]]:
     cards: list[Card] = []
     waiting: list[str] = []
     goes_on = False
-    for line in re.findall(r"[^\n]*\n|[^\n]+", text):
+    for number, line in enumerate(re.findall(r"[^\n]*\n|[^\n]+", text), 1):
         if is_comment(line):
             waiting.append(line)
         elif is_keyword(line):
-            cards.append(Card(comments=waiting, head=[line]))
+            cards.append(Card(comments=waiting, head=[line], line=number))
             waiting = []
             goes_on = line.rstrip().endswith(",")
         elif goes_on:

@@ -162,7 +162,7 @@ class Deck:
         home = self.path.parent.resolve()
         if home == directory.resolve() or Path(str(card["INPUT"])).is_absolute():
             return card.text
-        moved = Card(card.comments, list(card.head), card.body)
+        moved = Card(card.comments, list(card.head), card.body, card.line)
         moved["INPUT"] = Path(os.path.relpath(home / str(card["INPUT"]), directory.resolve())).as_posix()
         return moved.text
 

@@ -2,7 +2,7 @@
 
 import os
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card, Deck
+from ..deck.instances import deck_cards
 from ..errors import FileError
 from ..kernels import closest_points, contact_search
 from ..kernels.laws import NORMAL_LAWS, SPOT_FIELDS, SPOT_LAWS
-from ..model.abaqus_mesh import deck_cards, read_numbered_deck
+from ..model.abaqus_mesh import read_numbered_deck
 from ..model.materials import Circular, Material
 from ..model.mesh import Mesh
 from ..runs import check
@@ -30,7 +31,7 @@ _KNOWN = frozenset(
     *SURFACE BEHAVIOR *GAP ELECTRICAL CONDUCTANCE *CONTACT PAIR *BOUNDARY *CLOAD *STEP *STATIC *END STEP *INCLUDE *AMPLITUDE
     *UNITS *NODE PRINT *EL PRINT *ENERGY PRINT *ELECTRODE PRINT *NODE FILE *EL FILE *OUTPUT *NODE OUTPUT *ELEMENT OUTPUT
     *RESTART *CONTROLS *SOLUTION TECHNIQUE *SOLVER *CONTACT PRINT *CONTACT FILE *PREPRINT *PART *END PART *INSTANCE
-    *END INSTANCE *ASSEMBLY *END ASSEMBLY
+    *END INSTANCE *ASSEMBLY *END ASSEMBLY *TRANSFORM
     """.replace(" ", "")
     .replace("\n", "")
     .split("*")
@@ -101,6 +102,8 @@ class HostModel:
     supports: set[tuple[int, int]] = field(default_factory=set)
     prescribed: dict[tuple[int, int], float] = field(default_factory=dict)
     loads: dict[tuple[int, int], float] = field(default_factory=dict)
+    #: Local axes of nodes: their rows, the type and the two points of a `*TRANSFORM`
+    local_axes: list[tuple[NDArray[np.int64], str, list[float]]] = field(default_factory=list)
 
     def conducts(self, element: int) -> bool:
         """Whether the material of an element is a conductor."""
@@ -147,7 +150,17 @@ class HostModel:
             laws=[laws.in_shorter_unit(factor) for laws in self.laws],
             prescribed={key: value * factor if key[1] <= 3 else value for key, value in self.prescribed.items()},
             loads={key: value * factor if 4 <= key[1] <= 6 else value for key, value in self.loads.items()},
+            local_axes=[(rows, kind, [value * factor for value in points]) for rows, kind, points in self.local_axes],
         )
+
+    def transforms(self, prefix: str) -> Iterator[str]:
+        """Cards of the local axes, with node sets of these names and numbers."""
+        for place, (rows, kind, points) in enumerate(self.local_axes, 1):
+            yield f"*NSET, NSET={prefix}_{place}"
+            numbers = [str(number) for number in self.node_numbers[rows]]
+            yield from (" " + ", ".join(numbers[i : i + 16]) for i in range(0, len(numbers), 16))
+            yield f"*TRANSFORM, NSET={prefix}_{place}, TYPE={kind}"
+            yield " " + ", ".join(f"{value:.10g}" for value in points)
 
     def cross_direction(self, elements: Iterable[int]) -> NDArray[np.float64]:
         """A direction that none of some elements has, for their section axes."""
@@ -342,6 +355,10 @@ def _read_conditions(model: HostModel, cards: list[Card], node_sets: dict[str, N
     sets = {name.upper(): members for name, members in node_sets.items()}
     n_steps = 0
     for card in cards:
+        if card.is_a("TRANSFORM"):
+            points = [float(value or 0) for value in [*card.data[0], *[0.0] * 6][:6]]
+            axes = (sets[str(card["NSET"]).upper()], str(card.get("TYPE", "R")).upper(), points)
+            model.local_axes.append(axes)
         n_steps += card.is_a("STEP")
         if n_steps > 1:
             break

@@ -100,6 +100,7 @@ def _conditions(model: HostModel, values: dict[tuple[int, int], float], is_load:
 
 
 def _supports(model: HostModel) -> Iterator[str]:
+    yield from model.transforms("LOCAL_AXES")
     if model.supports:
         yield "*BOUNDARY"
         yield from _conditions(model, dict.fromkeys(model.supports, 0.0), is_load=False)

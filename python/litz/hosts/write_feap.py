@@ -17,6 +17,8 @@ _INCREMENTS = 10
 
 def feap_input(model: HostModel) -> str:
     """The input file: mesh, materials, supports, and one step in increments."""
+    if model.local_axes:
+        raise FileError("supports and loads along local axes (*TRANSFORM) cannot be exported to FEAP")
     factor = _shorter_unit(model)
     model = model.in_shorter_unit(factor)
     unit = f"! unit of length: {1 / factor:g} of the deck's; newtons, volts, amperes and ohms as there"

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card, Deck
+from ..deck.instances import deck_cards, placed
 from ..errors import FileError
 from .materials import Circular, General, Material, Section
 from .mesh import FOREIGN_BEAMS, Mesh, element_types, unique_rows
@@ -21,15 +22,6 @@ DIALECTS = ("abaqus", "ccx")
 _TRUSSES = {"T3D2": 2, "T3D3": 3}
 #: Number of a node or element in a deck, behind the name of the instance of a part that has it, in capitals
 _Key = tuple[str, int]
-
-
-def deck_cards(deck: Deck) -> Iterator[Card]:
-    """The cards of a deck and of those that it includes."""
-    for card in deck:
-        if card.is_a("INCLUDE"):
-            yield from deck_cards(deck.included(card))
-        else:
-            yield card
 
 
 class _DeckReader:
@@ -210,29 +202,6 @@ class _DeckReader:
 def _spelt(name: str, names: Iterable[str]) -> str:
     """The name as the first of the others spells it: capitals do not matter in a deck."""
     return next((known for known in names if known.upper() == name.upper()), name)
-
-
-def placed(places: NDArray, card: Card, path: Path) -> NDArray:
-    """Positions (n, 3) of a part at the place of an `*INSTANCE`: a shift, then a rotation about an axis."""
-    lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in card.data]
-    places = places.reshape(-1, 3) + (np.array([*lines[0], 0, 0, 0][:3]) if lines else np.zeros(3))
-    if len(lines) > 1:
-        if len(lines[1]) != 7:
-            raise FileError(f"{path}: the second line of *INSTANCE {card['NAME']} needs seven numbers")
-        places = rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
-    return places
-
-
-def rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
-    """Turned about the axis from a to b."""
-    length = float(np.linalg.norm(b - a))
-    if not length > 0:
-        raise FileError("the axis of the rotation of an *INSTANCE has no length")
-    axis, angle = (b - a) / length, np.deg2rad(degrees)
-    arms = places - a
-    # Rodrigues' rotation formula
-    along = np.outer(arms @ axis, axis)
-    return a + np.cos(angle) * (arms - along) + np.sin(angle) * np.cross(axis, arms) + along
 
 
 def read_deck(path: Path, dialect: str | None = None) -> Mesh:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
@@ -250,6 +253,40 @@ class LoadedModel(SurfaceModel):
             values += [self.target(nodes), degree_of_freedom(direction), float(factor)]
         rows = [values[i : i + 15] for i in range(0, len(values), 15)]
         self.card("EQUATION", {}, [[len(terms)], *rows])
+
+    def local_axes(
+        self, nodes: AnyNodes, a: ArrayLike, b: ArrayLike, system: Literal["rectangular", "cylindrical", "spherical"]
+    ) -> None:
+        """Let directions of supports, loads and equations at nodes be those of a system of their own, as `*TRANSFORM` does.
+
+        Results are along the global axes.
+
+        Parameters
+        ----------
+        nodes : int, str, Nodes, WireGroup or sequence
+            The nodes.
+        a, b : (3) array
+            Two points [m]. Rectangular: x points from the origin to `a`, and `b` is in the plane of x and y. Cylindrical: x is
+            radial, y tangential, and z along the axis from `a` to `b`. Spherical: x is radial from `a`, y along the circle of
+            latitude, and z along the meridian, towards the pole on the side of `b`.
+        system : {"rectangular", "cylindrical", "spherical"}
+            Kind of the system.
+
+        Examples
+        --------
+        >>> import litz
+        >>> model = litz.Model("an end on an inclined plane")
+        >>> wire = model.wire("WIRE", (0, 0, 0), (0.1, 0, 0), radius=1e-3, material=litz.STEEL, elements=8)
+        >>> model.fix(wire.start)
+        >>> model.local_axes(wire.end, (1, 1, 0), (-1, 1, 0), "rectangular")
+        >>> model.fix(wire.end, "y")
+        >>> model.step().force(wire.end, "x", 1.0)
+        """
+        kinds = ("rectangular", "cylindrical", "spherical")
+        if system not in kinds:
+            raise ValueError(f"system must be one of {', '.join(kinds)}, not {system!r}")
+        points = [float(value) for point in (a, b) for value in np.asarray(point, dtype=float).reshape(3)]
+        self.card("TRANSFORM", {"NSET": self.node_set_of(nodes), "TYPE": system[0].upper()}, [points])
 
     def amplitude(self, name: str, t: Sequence[float], a: Sequence[float], time: str = "STEP TIME") -> Amplitude:
         """Define a factor `a` [-] over the times `t` [s] of the step, or with `time="TOTAL TIME"` of all steps."""

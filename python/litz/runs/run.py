@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ..base.program import program_environment, program_path
+from ..deck.instances import flat_deck
 from ..errors import (
     FileError,
     InputError,
@@ -119,7 +120,7 @@ def run_silently(
     The program is ended as soon as the file `while_exists` is gone.
     """
     deck, output_directory = Path(deck), Path(output_directory)
-    command: list[str | Path] = [program_path(), "run", deck, "-o", output_directory]
+    command: list[str | Path] = ["-o", output_directory]
     if solver is not None:
         command += ["--solver", str(solver)]
     if threads is not None:
@@ -130,7 +131,8 @@ def run_silently(
     shown = _progress_of(deck) if progress else None
     results_path = output_directory / (deck.stem + ".vtkhdf")
     before = _changed(results_path)
-    exit_code, printed, message = _call(command, quiet, shown, while_exists)
+    with flat_deck(deck) as flat:
+        exit_code, printed, message = _call([program_path(), "run", flat, *command], quiet, shown, while_exists)
     if exit_code != 0:
         error = _error_of(exit_code, message or printed, results_path if results_path.exists() else None)
         has_results = _changed(results_path) != before
@@ -164,7 +166,8 @@ def check(deck: str | os.PathLike[str]) -> str:
     RunWarning
         For each warning of the program.
     """
-    exit_code, printed, message = _call([program_path(), "check", Path(deck)], quiet=True)
+    with flat_deck(Path(deck)) as flat:
+        exit_code, printed, message = _call([program_path(), "check", flat], quiet=True)
     found = _warnings_in(message)
     if exit_code != 0:
         error = _error_of(exit_code, message or printed)

@@ -1,0 +1,149 @@
+"""Decks with beams of the tests of CalculiX (package calculix-ccx-test): which run, agree, or need something else."""
+
+import gzip
+import re
+import shutil
+import subprocess
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import litz
+from litz.deck import Card, Deck
+from litz.model.foreign_deck import convert_deck
+
+DECKS = Path("/usr/share/doc/calculix-ccx-test/examples/test")
+RUN = (
+    "b31 beamlin beamtor boxprofile rot1 rot2 rot3 section section4 simplebeam simplebeampipe1 simplebeampipe2"
+    " simplebeampipe4 swing"
+)
+#: What others need, as the messages have it
+NEED = {
+    "beamcom": "the axis of a wire passes through its nodes",
+    "beammix": "the axes of wires pass through their nodes",
+    "uprofile": "its centroid is beside the node",
+    "simplebeampipe3": "the deck ends without any *STEP",
+    "pendel": "a run begins without stress and current",
+    "contact11": 'found "C3D8"',
+    "pret3": 'found "C3D20R"',
+    "segmentbeam": 'found "C3D20"',
+    "segmentbeam2": 'found "C3D20"',
+    "shellbeam": 'found "S8"',
+    "wire": 'found "S8"',
+}
+
+pytestmark = [
+    pytest.mark.skipif(not DECKS.is_dir(), reason="apt-get install calculix-ccx-test"),
+    pytest.mark.filterwarnings("ignore"),
+]
+
+
+def text_of(name):
+    path = DECKS / f"{name}.inp"
+    return path.read_text() if path.exists() else gzip.decompress(Path(f"{path}.gz").read_bytes()).decode()
+
+
+def converted(path):
+    """The deck of litz beside a deck."""
+    new = path.with_name(f"new_{path.name}")
+    new.write_text(convert_deck(path, "ccx").text)
+    return new
+
+
+def test_these_are_all_with_beams():
+    found = set()
+    for path in DECKS.glob("*.inp*"):
+        text = gzip.decompress(path.read_bytes()).decode() if path.suffix == ".gz" else path.read_text()
+        if re.search(r"^\*BEAM (GENERAL )?SECTION", text, re.IGNORECASE | re.MULTILINE):
+            found.add(path.name.split(".")[0])
+    assert found == {*RUN.split(), *NEED}
+
+
+@pytest.mark.parametrize("name", RUN.split())
+def test_decks_of_beams_run(tmp_path, name):
+    path = tmp_path / f"{name}.inp"
+    path.write_text(text_of(name))
+    assert np.isfinite(litz.run(converted(path), output_directory=tmp_path / "out").field("displacement")).all()
+
+
+@pytest.mark.parametrize("name", NEED)
+def test_others_are_refused_for_what_they_need(tmp_path, name):
+    path = tmp_path / f"{name}.inp"
+    path.write_text(text_of(name))
+    with pytest.raises((litz.LitzError, ValueError), match=re.escape(NEED[name])):
+        litz.check(converted(path))
+
+
+def refined(text, m):
+    """Each quadratic beam as m, under large displacements."""
+    deck = Deck.parse(text)
+    places = {}
+    for card in deck.find("NODE"):
+        places |= {row[0]: np.array([float(value or 0) for value in row[1:4]]) for row in card.data}
+    new, number = max(places), max(row[0] for card in deck.find("ELEMENT") for row in card.data)
+    added, parts = [], {}
+    for card in deck.find("ELEMENT"):
+        rows = []
+        for element, first, middle, last in card.data:
+            names = [first]
+            for s in np.arange(1, 2 * m) / (2 * m):
+                shapes = np.array([(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)])
+                if s == 0.5:
+                    names.append(middle)
+                    continue
+                new += 1
+                added.append([new, *(shapes @ [places[first], places[middle], places[last]]).tolist()])
+                names.append(new)
+            names.append(last)
+            numbers = [element, *range(number + 1, number + m)]
+            number += m - 1
+            parts[element] = numbers
+            rows += [[one, *names[2 * k : 2 * k + 3]] for k, one in enumerate(numbers)]
+        card.data = rows
+        card["TYPE"] = "B32R"
+    for card in deck.find("ELSET"):
+        card.data = [[part] for row in card.data for one in row if one is not None for part in parts.get(one, [one])]
+    deck.insert(Card.make("NODE", {}, added), after=deck.find("NODE")[-1])
+    for card in deck.find("STEP"):
+        card["NLGEOM"] = True
+    return deck.text
+
+
+def displacements_of_calculix(path):
+    """By the numbers of the nodes, at the end."""
+    subprocess.run(["ccx", "-i", path.stem], cwd=path.parent, check=True, capture_output=True)
+    last = path.with_suffix(".dat").read_text().split(" displacements (vx,vy,vz)")[-1]
+    found = {}
+    for line in last.splitlines()[2:]:
+        words = line.split()
+        if len(words) != 4:
+            break
+        found[int(words[0])] = [float(word) for word in words[1:]]
+    return found
+
+
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="apt-get install calculix-ccx")
+@pytest.mark.parametrize(
+    ("name", "m", "tolerance"),
+    [
+        # a frame of square beams; the corners of bricks that meet at an angle
+        ("swing", 8, 0.01),
+        # a cantilever with a moment at its end, and another one in its middle afterwards
+        ("rot2", 4, 0.015),
+        # cantilevers of a square section and of a pipe
+        ("section", 4, 0.002), ("simplebeampipe1", 4, 0.003),
+    ],
+)  # fmt: skip
+def test_on_fine_meshes_both_programs_agree(tmp_path, name, m, tolerance):
+    path = tmp_path / f"{name}.inp"
+    path.write_text(refined(text_of(name), m))
+    other = displacements_of_calculix(path)
+    with warnings.catch_warnings():
+        results = litz.run(converted(path), output_directory=tmp_path / "out")
+    own = dict(zip(results.field("node_id").tolist(), results.field("displacement"), strict=True))
+    nodes = sorted(set(own) & set(other))
+    assert len(nodes) >= 5
+    difference = np.abs([np.array(other[node]) - own[node] for node in nodes]).max()
+    assert difference < tolerance * np.abs(list(other.values())).max()
