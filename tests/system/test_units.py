@@ -111,12 +111,8 @@ def texts_of(figure):
 def test_without_labels_pictures_and_the_report_have_no_units(two_runs, monkeypatch):
     (_, plain), (_, labelled) = two_runs
     figures = []
-    savefig = matplotlib.figure.Figure.savefig
-    monkeypatch.setattr(
-        matplotlib.figure.Figure,
-        "savefig",
-        lambda self, *rest, **more: (figures.append(self), savefig(self, *rest, **more)),
-    )
+    draw = matplotlib.figure.Figure.draw
+    monkeypatch.setattr(matplotlib.figure.Figure, "draw", lambda self, *rest: (figures.append(self), draw(self, *rest)))
     for results, has_units in ((plain, False), (labelled, True)):
         figures.clear()
         for kind in ("overview", "resistance", "residuals", "contacts", "currents", "network", "history"):
