@@ -33,6 +33,9 @@ module litz_contact_crossings
 
    !> A point this near to an end of its element, in units of xi, may be found again in the next element
    real(dp), parameter :: near_node = 1.0e-6_dp
+   !> The curvature of the axes has a jump at a node, and by it two elements find one place at different distances from
+   !> there. One that is beyond the end of its element is that of the next element up to here
+   real(dp), parameter :: near_jump = 1.0e-3_dp
    !> Further places at which one pair of elements may touch
    integer, parameter :: max_others = 3
 
@@ -201,7 +204,7 @@ contains
       before = 0
       keep = .true.
       do k = 1, size(points)
-         if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_node)) cycle
+         if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_jump)) cycle
          place = chain_at(points(k)%element_bar, points(k)%xi_bar)
          earlier = found_before(model, wires, elements, points, k, last_at(place), before)
          ! where the arc lengths of a closed wire begin, its elements change their roles
@@ -228,22 +231,22 @@ contains
          !> Place in it
          real(dp), intent(in) :: xi
 
-         chain_at = node_at(model, e, xi)
+         chain_at = node_at(model, e, xi, near_jump)
          if (chain_at == 0) chain_at = model%n_nodes + wires%wire(e)
       end function chain_at
 
    end function are_new
 
    !> Node at a place of an element; 0: it lies between.
-   pure integer function node_at(model, e, xi) result(node)
+   pure integer function node_at(model, e, xi, near) result(node)
       type(model_t), intent(in) :: model
       !> Element
       integer, intent(in) :: e
-      !> Place in it
-      real(dp), intent(in) :: xi
+      !> Place in it, and how far from a node it still is at it
+      real(dp), intent(in) :: xi, near
 
       node = 0
-      if (abs(xi) >= 1 - near_node) node = model%connectivity(merge(1, 2, xi < 0), e)
+      if (abs(xi) >= 1 - near) node = model%connectivity(merge(1, 2, xi < 0), e)
    end function node_at
 
    !> The last one of the points before this one that is at the same place of both wires; 0: none.
@@ -254,11 +257,14 @@ contains
       type(contact_point_t), intent(in) :: points(:)
       !> A point, the last one there, and the one before each point (n_points)
       integer, intent(in) :: k, last, before(:)
+      real(dp) :: near
       logical :: found
 
       other = last
       do while (other > 0)
          associate (point => points(k), earlier => points(other))
+            near = near_node
+            if (any(abs([point%xi_bar, point%xi, earlier%xi_bar, earlier%xi]) > 1)) near = near_jump
             found = is_same(point%element_bar, point%xi_bar, earlier%element_bar, earlier%xi_bar) .and. &
                is_same(point%element, point%xi, earlier%element, earlier%xi)
             if (.not. found .and. wires%wire(point%element) == wires%wire(point%element_bar)) found = &
@@ -279,11 +285,11 @@ contains
          real(dp), intent(in) :: xi, xi_other
          integer :: node
 
-         node = node_at(model, e, xi)
-         is_same = node > 0 .and. node == node_at(model, e_other, xi_other)
+         node = node_at(model, e, xi, near)
+         is_same = node > 0 .and. node == node_at(model, e_other, xi_other, near)
          if (is_same .or. wires%wire(e) /= wires%wire(e_other)) return
          is_same = abs(arc_from_to(arc_at(wires, elements, e, xi), arc_at(wires, elements, e_other, xi_other), &
-            wires%circumference(wires%wire(e)))) <= near_node*elements%length(e)
+            wires%circumference(wires%wire(e)))) <= near*elements%length(e)
       end function is_same
 
    end function found_before

@@ -364,3 +364,23 @@ def test_friction_leaves_the_force_of_a_rod_that_is_dragged_over_a_kink_as_it_is
         assert process.returncode == 0, process.stderr
         forces.append([results.contacts_at(i)["force"].sum() for i in range(len(results.times))])
     assert forces[1] == pytest.approx(forces[0], rel=1e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize("before", [3e-6, 1.2e-6, 8e-7, 5e-7, 0.0])
+@pytest.mark.parametrize("bend", [5, -5, -15])
+def test_a_crossing_next_to_a_node_where_the_curvature_jumps_is_one(run, bend, before):
+    """At the node beside a bend: the two elements that meet there find the place at different distances from it."""
+    turn = math.radians(bend)
+    straight = [[k * R, 0, 0] for k in range(-8, 2)]
+    lower = np.array(straight + [[R + k * R * math.cos(turn), 0, -k * R * math.sin(turn)] for k in range(1, 8)])
+    forces = {}
+    for at in (-0.5, -before):
+        yaw = math.radians(50)
+        along = np.linspace(-11.93 * R, 12.07 * R, 25)[:, None] * np.array([math.cos(yaw), math.sin(yaw), 0])
+        rod = wire("UPPER", np.array([at * R, 0, 2 * R]) + along, UPPER, element="B33")
+        push = f" UPPER, 3, 3, {-0.002 * R:.17g}\n"
+        process, results = run(two_wires(lower, rod, HELD, step(boundary=push), law=HERTZ), name="jump")
+        assert process.returncode == 0, process.stderr
+        assert len(results.contacts_at(-1)["force"]) == 1
+        forces[at] = results.contacts_at(-1)["force"].sum()
+    assert forces[-before] == pytest.approx(forces[-0.5], rel=2e-3)
