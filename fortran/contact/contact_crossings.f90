@@ -205,13 +205,11 @@ contains
       keep = .true.
       do k = 1, size(points)
          if (all(abs([points(k)%xi_bar, points(k)%xi]) < 1 - near_jump)) cycle
-         place = chain_at(points(k)%element_bar, points(k)%xi_bar)
-         earlier = found_before(model, wires, elements, points, k, last_at(place), before)
+         place = chain_at(points(k)%element_bar, points(k)%xi_bar, near_jump)
+         earlier = found_at(points(k)%element_bar, points(k)%xi_bar)
          ! where the arc lengths of a closed wire begin, its elements change their roles
-         if (earlier == 0 .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) then
-            earlier = found_before(model, wires, elements, points, k, &
-               last_at(chain_at(points(k)%element, points(k)%xi)), before)
-         end if
+         if (earlier == 0 .and. wires%wire(points(k)%element) == wires%wire(points(k)%element_bar)) earlier = &
+            found_at(points(k)%element, points(k)%xi)
          if (earlier > 0) then
             ! an end or a joint is one, whichever element has the nearest place there
             keep(k) = keep(earlier) .and. any(points(k)%held .and. .not. points(earlier)%held)
@@ -224,14 +222,29 @@ contains
 
    contains
 
-      !> The chain of points at a place of a barred wire: of its node, or of the wire.
-      pure integer function chain_at(e, xi)
+      !> The last point before this one at the same place of both wires, one of which is here; 0: none.
+      pure integer function found_at(e, xi)
          !> Element
          integer, intent(in) :: e
          !> Place in it
          real(dp), intent(in) :: xi
+         integer :: chain(2)
 
-         chain_at = node_at(model, e, xi, near_jump)
+         ! the same place may be in another chain by round-off
+         chain = [chain_at(e, xi, near_jump/2), chain_at(e, xi, 2*near_jump)]
+         found_at = found_before(model, wires, elements, points, k, last_at(chain(1)), before)
+         if (found_at == 0 .and. chain(2) /= chain(1)) found_at = found_before(model, wires, elements, points, k, &
+            last_at(chain(2)), before)
+      end function found_at
+
+      !> The chain of points at a place of a barred wire: of its node, or of the wire.
+      pure integer function chain_at(e, xi, near)
+         !> Element
+         integer, intent(in) :: e
+         !> Place in it, and how far from a node it still is at it
+         real(dp), intent(in) :: xi, near
+
+         chain_at = node_at(model, e, xi, near)
          if (chain_at == 0) chain_at = model%n_nodes + wires%wire(e)
       end function chain_at
 
