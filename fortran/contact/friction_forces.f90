@@ -3,7 +3,7 @@ module litz_friction_forces
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t
-   use litz_friction_iteration, only: place_touch
+   use litz_friction_iteration, only: forget_friction, place_touch
    use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick, &
       friction_slip
    use litz_law_input, only: wire_pair_t
@@ -32,8 +32,6 @@ module litz_friction_forces
    !> Wires that cross at an angle with a smaller cosine (127 degrees) all but run against each other: the sum of their
    !> tangents may vanish, and the difference is taken
    real(dp), parameter :: least_cosine = -0.6_dp
-   !> A traction less than this share below the limit of friction is at the limit, but for round-off
-   real(dp), parameter :: at_limit = 1.0e-6_dp
 
 contains
 
@@ -76,20 +74,18 @@ contains
          call split_dissipation(law, point)
       end if
 
-      if (point%friction_iteration%status == friction_none) then
-         call suppose(mu, before%goes_on, start%traction, point)
-      end if
       associate (iteration => point%friction_iteration)
-         iteration%difference = -r
-         iteration%limit = 0
-         iteration%dtrial = 0
-         iteration%along = 0
-         if (.not. point%active) return
-         force = max(0.0_dp, point%iteration_force)
+         force = merge(point%iteration_force, 0.0_dp, point%active)
+         if (.not. force > 0) then
+            call forget_friction(iteration)
+            iteration%difference = -r
+            return
+         end if
+         if (iteration%status == friction_none) call suppose(before%goes_on, start%traction, point)
          dforce = dforce_sliding - point%stiffness*point%kinematics%dgap
-         if (.not. force > 0) return
          call stick(law, pair, force, settled_weight(point), point, stiffness, dstiffness_dforce)
-         supposed = friction_law(mu, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status)
+         supposed = friction_law(mu, force, stiffness, dstiffness_dforce, start, slip%slip, iteration%status, &
+            iteration%mixed_traction)
          r_supposed = wire_friction_residual(slip, supposed%traction)
          k = wire_friction_tangent(point%kinematics, slip, slip%dslip, t, supposed, dforce, iteration%mixed_traction)
          call spin_to_hessian(k, r_supposed, [4, 10, 16, 22])
@@ -105,10 +101,9 @@ contains
    !> What the iteration supposes of a contact at first: one that was closed before goes on to slip or to stick, and
    !> sticks where a step begins, since there a motion is likely to turn back; a slip that turns back all the same is
    !> found by the first iteration. One that was open does what it would do here: a stick far beyond the limit would
-   !> throw open again a contact that closes with a small force.
-   pure subroutine suppose(mu, goes_on, traction_before, point)
-      !> Coefficient of friction
-      real(dp), intent(in) :: mu
+   !> throw open again a contact that closes with a small force. A slip of it expects no traction yet: its tangent is
+   !> the secant from there.
+   pure subroutine suppose(goes_on, traction_before, point)
       !> As in `increment_start_t`
       logical, intent(in) :: goes_on
       !> When the increment began (2) [N]
@@ -120,9 +115,7 @@ contains
          if (point%predicted .or. .not. point%history%closed) then
             if (point%closed) iteration%status = point%friction%status
          else
-            if (goes_on .and. norm2(traction_before) >= (1 - at_limit)*mu*point%history%force) then
-               iteration%status = friction_slip
-            end if
+            if (goes_on .and. point%history%slips) iteration%status = friction_slip
             iteration%mixed_traction = traction_before
          end if
       end associate

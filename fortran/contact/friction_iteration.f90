@@ -1,15 +1,16 @@
 !> The traction of a contact as an independent variable of the iteration, as the normal force is (theory section 9).
 !>
 !> The return map alone can send an iteration to and fro for ever: from slip one way, with the constant force of slip,
-!> to slip the other way, past a stick zone that is a thousand times smaller than the step. So the status of a contact
-!> follows from the trial traction that the last linear step predicted: it sticks in the next iteration when that lies
-!> in the cone, or when it points against the slip of this one, since a slip that turns back passes through stick. There
-!> it stays while a step still takes most of a trial traction away: the slip has been so much larger than the stick zone
-!> that the linear step misses it, on either side.
+!> to slip the other way, past a stick zone that is a thousand times smaller than the step. So the last linear step
+!> predicts the trial traction, by which the contact sticks or slips in the next iteration, and the traction about which
+!> a slip is linearised. While a slip turns back, the two are of opposite directions, and the tangent resists along
+!> the slip, too: softly, as its limit over the trial traction is small; a stick would move the rest of the model.
+!>
+!> Source: theory (9.1); S. Hueeber, G. Stadler, B. I. Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596.
 module litz_friction_iteration
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
-   use litz_friction_law, only: friction_none, friction_stick, friction_slip
+   use litz_friction_law, only: cut_to, friction_none, friction_stick, friction_slip
    implicit none
    private
    public :: friction_iteration_t, predict_friction, forget_friction, place_touch
@@ -17,9 +18,7 @@ module litz_friction_iteration
    type :: friction_iteration_t
       !> Status that the iteration supposes; `friction_none`: nothing yet
       integer :: status = friction_none
-      !> It sticks because a slip has turned back
-      logical :: turned = .false.
-      !> Traction of the geometric stiffness (2) [N]
+      !> Predicted traction: that of the geometric stiffness, and of the tangent of a slip (2) [N]
       real(dp) :: mixed_traction(2) = 0
       !> Trial traction of this iteration (2) [N] and how it changes with the unknowns of the contact (24, 2)
       real(dp) :: trial(2) = 0, dtrial(n_motions, 2) = 0
@@ -38,18 +37,16 @@ module litz_friction_iteration
       logical :: reverses = .false.
    end type friction_iteration_t
 
-   !> A step that leaves less than this of a trial traction has gone too far to say whether the contact sticks
-   real(dp), parameter :: still_far = 0.1_dp
-
 contains
 
    !> A contact that the iteration has opened supposes nothing when it closes again; where it first closed stays.
    pure subroutine forget_friction(iteration)
       type(friction_iteration_t), intent(inout) :: iteration
 
+      iteration%difference = 0
       if (iteration%status == friction_none) return
       iteration = friction_iteration_t(touched=iteration%touched, arc_before=iteration%arc_before, &
-         normal_before=iteration%normal_before, part=iteration%part)
+         normal_before=iteration%normal_before, part=iteration%part, reverses=iteration%reverses)
    end subroutine forget_friction
 
    !> Where a contact was when the increment began in which it closes: of the slip since then it has the part after the
@@ -86,22 +83,27 @@ contains
       real(dp), intent(in) :: dq(n_motions)
       type(friction_iteration_t), intent(inout) :: iteration
       real(dp) :: trial(2), limit
-      logical :: turns_back, still_returns
 
       if (iteration%status == friction_none) return
       trial = iteration%trial + matmul(dq, iteration%dtrial)
       limit = max(0.0_dp, iteration%limit + dot_product(iteration%dlimit, dq))
-      turns_back = iteration%status == friction_slip .and. dot_product(trial, iteration%trial) < 0
-      still_returns = iteration%status == friction_stick .and. iteration%turned .and. &
-         norm2(trial) < still_far*norm2(iteration%trial)
-      iteration%turned = turns_back .or. still_returns
-      if (iteration%turned .or. norm2(trial) <= limit) then
-         iteration%status = friction_stick
-      else
-         iteration%status = friction_slip
-      end if
-      iteration%mixed_traction = trial
-      if (norm2(trial) > limit) iteration%mixed_traction = trial*limit/norm2(trial)
+      iteration%mixed_traction = cut_to(limit, predicted_traction(trial, limit, iteration))
+      iteration%status = merge(friction_stick, friction_slip, norm2(trial) <= limit)
    end subroutine predict_friction
+
+   !> Traction after the linear step: of a contact that slips that of the tangent (9.1).
+   pure function predicted_traction(trial, limit, iteration) result(traction)
+      !> Trial traction (2) and limit after the step [N]
+      real(dp), intent(in) :: trial(2), limit
+      type(friction_iteration_t), intent(in) :: iteration
+      real(dp) :: traction(2), direction(2), change(2)
+
+      traction = trial
+      if (iteration%status == friction_stick .or. .not. norm2(iteration%trial) > 0) return
+      direction = iteration%trial/norm2(iteration%trial)
+      change = (trial - iteration%trial)/norm2(iteration%trial)
+      traction = limit*direction + iteration%limit*change &
+         - cut_to(iteration%limit, iteration%mixed_traction)*dot_product(direction, change)
+   end function predicted_traction
 
 end module litz_friction_iteration

@@ -150,9 +150,12 @@ contains
          cell%part*s%slip)
       cell%traction = -matmul(s%along, cell%friction%traction)
       associate (iteration => cell%iteration)
-         if (iteration%status == friction_none) iteration%status = cell%friction%status
+         if (iteration%status == friction_none) then
+            iteration%status = cell%friction%status
+            iteration%mixed_traction = cell%friction%traction
+         end if
          supposed = friction_law(stick%mu, cell%force, cell%stick_stiffness, 0.0_dp, cell%memory%start, &
-            cell%part*s%slip, iteration%status)
+            cell%part*s%slip, iteration%status, iteration%mixed_traction)
          difference = work_of(s, matmul(s%along, supposed%traction - cell%friction%traction))
          r = r - work_of(s, cell%traction)
          call add_friction_tangent(s, cell%part, supposed, cell%friction%traction, force_row, k)

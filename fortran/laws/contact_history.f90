@@ -4,7 +4,7 @@
 !> reads it; a contact that opens loses it.
 module litz_contact_history
    use litz_kinds, only: dp
-   use litz_friction_law, only: friction_law_t
+   use litz_friction_law, only: friction_law_t, friction_slip
    use litz_law_input, only: earlier_dent_t
    implicit none
    private
@@ -47,6 +47,8 @@ module litz_contact_history
       !> between the two wires, or between the one and the reverse of the other
       real(dp) :: traction(2) = 0
       logical :: reverses = .false.
+      !> It has slipped at the end of the last increment
+      logical :: slips = .false.
       !> Share of a crossing [-], or length that a point of a line stood for [m]
       real(dp) :: weight = 0
       !> Path of the slip since the contact closed [m], and the heat that friction made of it [J]
@@ -116,6 +118,7 @@ contains
       history%force = force
       history%weight = weight
       history%traction = friction%traction
+      history%slips = friction%status == friction_slip
       history%slip_path = start%slip_path + norm2(friction%plastic_slip)
       history%dissipation = start%dissipation + friction%dissipation
       history%last_dissipation = friction%dissipation

@@ -11,7 +11,7 @@ module litz_friction_law
    use litz_kinds, only: dp
    implicit none
    private
-   public :: friction_law_t, friction_start_t, friction_law, mindlin_ratio
+   public :: friction_law_t, friction_start_t, friction_law, cut_to, mindlin_ratio
    public :: friction_none, friction_stick, friction_slip
 
    !> No traction: the contact is open, or has no friction
@@ -45,7 +45,7 @@ module litz_friction_law
 
 contains
 
-   pure function friction_law(mu, force, stiffness, dstiffness_dforce, start, slip, taken_as) result(law)
+   pure function friction_law(mu, force, stiffness, dstiffness_dforce, start, slip, taken_as, expected) result(law)
       !> Coefficient of friction [-], and normal force [N]; both at least 0
       real(dp), intent(in) :: mu, force
       !> Tangential stiffness k_t [N/m], greater than 0, and how it changes with the normal force [1/m]
@@ -55,8 +55,11 @@ contains
       real(dp), intent(in) :: slip(2)
       !> `friction_stick` or `friction_slip`: the status that an iteration supposes, whatever the trial traction says
       integer, intent(in), optional :: taken_as
+      !> Traction (2) [N] that an iteration expects, for the tangent (9.1) of a slip; that of the slip itself gives the
+      !> derivative, as without it
+      real(dp), intent(in), optional :: expected(2)
       type(friction_law_t) :: law
-      real(dp) :: held(2), dtrial_dforce(2), size_of_trial, direction(2), ratio, softening
+      real(dp) :: held(2), dtrial_dforce(2), size_of_trial, direction(2), along(2), ratio, softening
       integer :: i
 
       softening = 1
@@ -80,9 +83,11 @@ contains
          direction = law%trial/size_of_trial
          ratio = mu*force/size_of_trial
          law%traction = mu*force*direction                                                ! T = mu F T*/|T*|
-         law%dtraction_dforce = mu*direction + ratio*(dtrial_dforce - direction*dot_product(direction, dtrial_dforce))
+         along = law%traction/size_of_trial
+         if (present(expected)) along = cut_to(mu*force, expected)/size_of_trial
+         law%dtraction_dforce = mu*direction + ratio*dtrial_dforce - along*dot_product(direction, dtrial_dforce)
          do i = 1, 2
-            law%dtraction_dslip(:, i) = -ratio*stiffness*direction*direction(i)
+            law%dtraction_dslip(:, i) = -stiffness*along*direction(i)
             law%dtraction_dslip(i, i) = law%dtraction_dslip(i, i) + ratio*stiffness
          end do
          law%plastic_slip = (size_of_trial - mu*force)/stiffness*direction
@@ -99,6 +104,18 @@ contains
          law%work_beyond_mean = law%work_beyond_mean + of_motion
       end associate
    end function friction_law
+
+   !> A traction, of the size of the limit of friction at most.
+   pure function cut_to(limit, traction) result(cut)
+      !> [N]
+      real(dp), intent(in) :: limit
+      !> (2) [N]
+      real(dp), intent(in) :: traction(2)
+      real(dp) :: cut(2)
+
+      cut = traction
+      if (norm2(traction) > limit) cut = traction*(limit/norm2(traction))
+   end function cut_to
 
    !> Slip against a limit that falls from `mu F_n`, besides what a spring that becomes softer is shortened by [m].
    pure real(dp) function slip_of_motion(mu, force, stiffness, start, plastic_slip)

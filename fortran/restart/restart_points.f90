@@ -158,6 +158,7 @@ contains
       call table%field('traction_1', history%traction(1))
       call table%field('traction_2', history%traction(2))
       call table%field('reverses', history%reverses)
+      call table%field('slips', history%slips)
       call table%field('slip_path', history%slip_path)
       call table%field('dissipation', history%dissipation)
       call table%field('last_dissipation', history%last_dissipation)

@@ -569,3 +569,19 @@ def test_a_mat_with_friction_is_pressed_and_released_without_a_cut(run):
     assert process.returncode == 0, process.stderr
     assert results.status["attempts"].max() == 1
     assert results.status["contacts"].max() > 300
+
+
+@pytest.mark.parametrize("coefficient", [1e-5, 1e-3])
+def test_a_very_small_friction_in_a_mat_hardly_matters(run, coefficient):
+    """Neither to the forces, which it changes in proportion, nor to the iterations: slips that turn back do not stick."""
+    model = build.fibre_mat((10e-3, 10e-3), 6, radius=0.1e-3, seed=1, n_layers=4, clearance=5e-6)
+    model.press(40e-6, voltage=1e-3)
+    hertz = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n"
+    without, with_friction = (
+        run(model.to_deck().replace(hertz, hertz + friction), name=name)[1]
+        for name, friction in (("without", ""), ("with_friction", f"*FRICTION\n {coefficient}\n"))
+    )
+    assert with_friction.status["attempts"].max() == 1
+    assert with_friction.status["iterations"].sum() <= 1.6 * without.status["iterations"].sum()
+    force, force_without = (results.contacts_at(-1)["force"].sum() for results in (with_friction, without))
+    assert force == pytest.approx(force_without, rel=20 * coefficient)
