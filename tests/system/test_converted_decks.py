@@ -329,3 +329,14 @@ def test_a_side_that_is_left_out_is_that_of_a_square_in_calculix(convert, litz, 
     expected = 0.01 * 100**3 / (3 * 210000 * 6**4 / 12) + 0.01 * 100 / (210000 / 2.6 * 36 * 13 / 15.3)
     # the error of 80 linear elements, 1 over 4 times 80^2
     assert Results(tmp_path / "out").field("displacement")[80, 2] == pytest.approx(expected, rel=5e-5)
+
+
+def test_what_is_in_no_step_becomes_comments(convert, litz, tmp_path):
+    """As in the deck uprofile of CalculiX's tests, where a *STEP is missing: CalculiX ends there."""
+    lost = "*Static\n*Cload\n Tip-2, 3, 5.\n*End Step\n"
+    done, new = convert(CAE + lost)
+    assert done.returncode == 1
+    assert "WITHOUT WHICH THE RESULTS ARE OTHERS:\n  *STATIC after *END STEP: it is in no step, and CalculiX ends" in done.stderr
+    assert done.stderr.count("is in no step") == 1
+    assert new.endswith("** *Static\n** *Cload\n**  Tip-2, 3, 5.\n** *End Step\n")
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
