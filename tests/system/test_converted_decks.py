@@ -336,7 +336,10 @@ def test_what_is_in_no_step_becomes_comments(convert, litz, tmp_path):
     lost = "*Static\n*Cload\n Tip-2, 3, 5.\n*End Step\n"
     done, new = convert(CAE + lost)
     assert done.returncode == 1
-    assert "WITHOUT WHICH THE RESULTS ARE OTHERS:\n  *STATIC after *END STEP: it is in no step, and CalculiX ends" in done.stderr
+    assert (
+        "WITHOUT WHICH THE RESULTS ARE OTHERS:\n  *STATIC after *END STEP: it is in no step, and CalculiX ends"
+        in done.stderr
+    )
     assert done.stderr.count("is in no step") == 1
     assert new.endswith("** *Static\n** *Cload\n**  Tip-2, 3, 5.\n** *End Step\n")
     assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
