@@ -10,6 +10,7 @@ from ..deck import Card, Deck
 from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import keywords, squeezed
 from .abaqus_mesh import round_section
+from .beam_surfaces import remove_pair_parameters, surfaces_as_sets
 from .materials import General, Material
 
 
@@ -61,8 +62,16 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     cards = flat_cards(path)
     converted = ConvertedDeck("")
     materials = _materials(cards)
+    surfaces = list(surfaces_as_sets(cards))
+    for parameter in remove_pair_parameters(cards):
+        told = converted.left_out if parameter == "SMALL SLIDING" else converted.ignored
+        told.append(f"{parameter} of *CONTACT PAIR: wires touch at points, which may slide any distance")
     chunks = [_converted(card, dialect, materials, path) for card in cards]
-    commented: set[int] = set()
+    commented = {place for place, _, _ in surfaces}
+    for place, new, reason in surfaces:
+        chunks[place] = "".join(cards[place].comments) + new.text if new else _commented(cards[place], reason)
+        if reason:
+            converted.left_out.append(reason)
     for first, last in _steps(cards):
         reason = _reason_to_leave_out(cards[first : last + 1])
         if reason:

@@ -44,6 +44,7 @@ class ResultFile:
         self.path = _find(Path(path))
         self._tables: dict[str, tuple[int, Table]] = {}
         self._kept: h5py.File | None = None
+        self._kept_count: int | None = None
         with self._open() as file:
             version = int(file["litz"].attrs["format_version"])
             if version > _FORMAT_VERSION:
@@ -74,7 +75,7 @@ class ResultFile:
             try:
                 yield
             finally:
-                self._kept = None
+                self._kept = self._kept_count = None
 
     def _open(self) -> contextlib.AbstractContextManager[h5py.File]:
         if self._kept is not None:
@@ -408,9 +409,13 @@ class ResultFile:
 
     def _n_whole(self, file: h5py.File) -> int:
         """Number of increments in the result file that are complete in all files."""
+        if file is self._kept and self._kept_count is not None:
+            return self._kept_count
         n, last = _n_steps(file), self._last_whole(file)
         while last is not None and n > 1 and _numbers_of(file, n - 1) > last:
             n -= 1
+        if file is self._kept:
+            self._kept_count = n
         return n
 
     def _whole(self, table: Table) -> Table:
