@@ -130,8 +130,11 @@ module litz_foreign_words
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'POISSON|LUMPED', '', 'leave it out: sections do not'// &
       ' change as wires are stretched', &
       role_idle), &
-      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'OFFSET1|OFFSET2|ORIENTATION|NODAL THICKNESS', '', &
-      'the axis of a wire passes through its nodes: move these'), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'ORIENTATION', '', 'the direction of the first axis is'// &
+         ' the'// &
+      ' second data line'), &
+      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'NODAL THICKNESS', '', 'a section is the same along an'// &
+      ' element: give its dimensions'), &
       foreign_word_t('ELASTIC|EXPANSION|ELECTRICAL CONDUCTIVITY', 'DEPENDENCIES|MODULI|USER', '', 'leave it out:'// &
       ' material data may depend on temperature alone'), &
       foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
@@ -183,9 +186,6 @@ module litz_foreign_words
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'HEX|TRAPEZOID|THICK PIPE|ARBITRARY|ELBOW'// &
       '|MESHED|NONLINEAR GENERAL', &
       'use GENERAL with A, I11, I12, I22, J, and CONTACT RADIUS where it touches'), &
-      foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'L|ANGLE', 'n1 and n2 are not its principal'// &
-      ' axes,'// &
-      ' and its shear centre is beside its centroid, where beams of litz have it'), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'CIRC+', 'as in Abaqus it is the radius: two'// &
       ' values are diameters,'// &
       ' as in CalculiX; write half of them as the radius, or `litz convert THIS.inp NEW.inp --dialect ccx`'), &

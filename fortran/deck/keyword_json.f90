@@ -8,7 +8,7 @@ module litz_keyword_json
    use litz_growing_text, only: growing_text_t
    use litz_keywords, only: keyword_table_t, keyword_t, parameter_spec_t, data_spec_t, field_spec_t, place_model, &
       place_step, place_both, kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, &
-      limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_one, &
+      limit_none, limit_positive, limit_not_negative, limit_poisson, limit_unused, limit_one, &
       describe_limit
    use litz_text, only: to_text
    implicit none
@@ -164,8 +164,6 @@ contains
          json = ', "minimum": 0'
       case (limit_poisson)
          json = ', "exclusive_minimum": -1, "exclusive_maximum": 0.5'
-      case (limit_zero)
-         json = ', "minimum": 0, "maximum": 0'
       case (limit_one)
          json = ', "minimum": 1'
       case (limit_unused)

@@ -12,7 +12,7 @@ module litz_keywords
    public :: keyword_t, parameter_spec_t, data_spec_t, field_spec_t, keyword_table_t
    public :: place_model, place_step, place_both, place_begins_step
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
-   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_zero, limit_unused, limit_one
+   public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_unused, limit_one
    public :: describe_limit
    public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
 
@@ -26,7 +26,6 @@ module litz_keywords
 
    !> What a number must satisfy. `limit_unused`: the place must stay empty; `limit_one`: one or more
    integer, parameter :: limit_none = 0, limit_positive = 1, limit_not_negative = 2, limit_poisson = 3, &
-      limit_zero = 4, &
       limit_unused = 5, limit_one = 6
 
    !> Numbers of a deck beyond these mean nothing in any unit, and what is computed from them would overflow
@@ -242,8 +241,6 @@ contains
          within_limit = value > -1 .and. value < 0.5_dp
       case (limit_one)
          within_limit = within_limit .and. value >= 1
-      case (limit_zero)
-         within_limit = .not. abs(value) > 0
       case (limit_unused)
          within_limit = .false.
       end select
@@ -263,8 +260,6 @@ contains
          words = 'between -1 and 0.5'
       case (limit_one)
          words = '1 or greater'
-      case (limit_zero)
-         words = '0'
       case (limit_unused)
          words = 'left empty, litz does not use it'
       case default

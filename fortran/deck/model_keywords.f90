@@ -281,6 +281,16 @@ contains
          real_field('GA3', 'N', 'for shear along n2', limit_positive)])
       call finish(table, k)
 
+      call begin(k, 'CENTROID', place_model, 'Centroid of a GENERAL section, where axial forces act; at the node'// &
+         ' without it.', after='BEAM SECTION')
+      call k%add_data([real_field('x1', 'm', 'from the node along n1'), real_field('x2', 'm', 'along n2')])
+      call finish(table, k)
+      call begin(k, 'SHEAR CENTER', place_model, 'Shear centre of a GENERAL section, about which it twists; at'// &
+         ' the node'// &
+         ' without it.', after='BEAM SECTION')
+      call k%add_data([real_field('x1', 'm', 'from the node along n1'), real_field('x2', 'm', 'along n2')])
+      call finish(table, k)
+
       call begin(k, 'AMPLITUDE', place_both, 'A factor over time, linear between the points and constant beyond them.')
       call k%add(name('NAME', 'name of the amplitude', required=.true.))
       call k%add(choice('TIME', 'STEP TIME|TOTAL TIME', 'origin of the times', default='STEP TIME'))

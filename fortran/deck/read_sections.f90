@@ -1,10 +1,11 @@
 !> *BEAM SECTION and *BEAM GENERAL SECTION: shape, material and first axis of cross-sections.
 module litz_read_sections
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_model, only: model_t, section_t, material_t, shear_given, shear_round, shear_by_factors
-   use litz_section_shapes, only: section_shape_t, round_wire, rectangle, box, pipe, i_section
+   use litz_section_shapes, only: section_shape_t, round_wire, rectangle, box, unlike_box, pipe, i_section, l_section, &
+      turn_to_principal_axes
    use litz_section_stiffness, only: shear_stiffness
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, real_parameter, &
       n_cards_of, name_of
@@ -29,7 +30,7 @@ contains
       type(model_t), intent(inout) :: model
       !> Line of the *BEAM SECTION of each section
       integer, allocatable :: section_line(:)
-      integer :: card, n
+      integer :: card, section_card, n
       logical :: ok
 
       n = n_cards_of(self, 'BEAM SECTION') + n_cards_of(self, 'BEAM GENERAL SECTION')
@@ -40,15 +41,26 @@ contains
          select case (keyword_of(self, card))
          case ('BEAM SECTION', 'BEAM GENERAL SECTION')
             n = n + 1
+            section_card = card
             section_line(n) = self%deck%cards(card)%name%line
             call read_section(self, model, card, model%sections(n))
             call assign_section(self, model, card, n, section_line)
          case ('TRANSVERSE SHEAR STIFFNESS')
             call read_only_line(self, card, ok)
             if (.not. ok .or. n == 0) cycle
+            if (abs(model%sections(n)%turn) > 0) then
+               call fail_at(self, self%deck%cards(card)%name, 'shear stiffnesses along n1 and n2 are given where'// &
+                  ' these'// &
+                  ' are principal axes of the section; here they are turned by '// &
+                  to_text(model%sections(n)%turn*180/pi)//' degrees')
+               cycle
+            end if
             model%sections(n)%ga2 = self%values%real(1)
             model%sections(n)%ga3 = self%values%real(2)
             model%sections(n)%shear = shear_given
+         case ('CENTROID', 'SHEAR CENTER')
+            call read_only_line(self, card, ok)
+            if (ok .and. n > 0) call set_centre(self, card, section_card, model%sections(n))
          end select
       end do
       call report_bare_elements(self, model)
@@ -81,6 +93,7 @@ contains
          associate (material => model%materials(section%material))
             call set_shape(self, choice_of(self, card, 'SECTION'), material%poisson, section, ok)
             if (ok) call set_shear(section, material%young, material%poisson)
+            if (ok) call set_offset(self, card, section)
          end associate
       end if
       section%contact_radius = real_parameter(self, card, 'CONTACT RADIUS', section%contact_radius)
@@ -110,15 +123,18 @@ contains
             section%contact_radius = given(1)
          case ('GENERAL')
             shape%area = given(1)
-            shape%i11 = given(2)
-            shape%i22 = given(4)
             shape%j = given(5)
-            call check_torsion(self, ok)
+            call check_second_moments(self, ok)
+            if (ok) call turn_to_principal_axes(shape, given(2:4))
          case ('RECT')
             shape = rectangle(given(1), merge(given(2), given(1), self%values%given(2)), poisson)
          case ('BOX')
             call check_walls(self, ok)
-            if (ok) shape = box(given(1), given(2), given(3), given(4), poisson)
+            if (ok .and. is_same(given(3), given(5)) .and. is_same(given(4), given(6))) then
+               shape = box(given(1), given(2), given(3), given(4), poisson)
+            else if (ok) then
+               shape = unlike_box(given(1), given(2), given(3:6))
+            end if
          case ('PIPE')
             ok = given(2) <= given(1)
             if (.not. ok) call fail_at(self, self%values%token(2), 'the wall of a pipe is at most as thick as its'// &
@@ -127,6 +143,10 @@ contains
          case ('I')
             call check_flanges(self, ok)
             if (ok) shape = i_section(given(2), given(3), given(5), given(7), poisson)
+            if (ok .and. .not. is_same(2*given(1), given(2))) shape%shear_centre(2) = given(2)/2 - given(1)
+         case ('L')
+            call check_legs(self, ok)
+            if (ok) shape = l_section(given(1), given(2), given(3), given(4))
          end select
       end associate
       if (.not. ok) shape = section_shape_t(1.0_dp, 1.0_dp, 1.0_dp, 1.0_dp)
@@ -135,11 +155,66 @@ contains
       section%i3 = shape%i22
       section%j = shape%j
       section%shear_factor = shape%shear_factor
-      section%corner = shape%corner
+      section%turn = shape%turn
+      section%shear_centre = shape%shear_centre
+      section%centroid = shape%centroid
+      if (allocated(shape%corners)) section%corners = shape%corners
       section%outer_radius = shape%radius
       ! as in Abaqus, where no axis is given; the axes of round sections are of no consequence
-      if (any(shape%corner > 0)) section%n1 = default_axis
+      if (allocated(shape%corners)) section%n1 = default_axis
    end subroutine set_shape
+
+   !> Centroid or shear centre of a GENERAL section, from the node along n1 and n2.
+   subroutine set_centre(self, card, section_card, section)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card, and of the card of the section
+      integer, intent(in) :: card, section_card
+      type(section_t), intent(inout) :: section
+      real(dp) :: centroid(2)
+
+      associate (this => self%deck%cards(card))
+         if (choice_of(self, section_card, 'SECTION') /= 'GENERAL') then
+            call fail_at(self, this%name, '*'//keyword_of(self, card)//' is for SECTION=GENERAL: other sections'// &
+               ' have'// &
+               ' theirs from their shape')
+         else if (.not. norm2(section%n1) > 0) then
+            call fail_at(self, this%name, '*'//keyword_of(self, card)//' is along the section axes: give the'// &
+               ' first one'// &
+               ' in the second data line of the section')
+         else if (keyword_of(self, card) == 'CENTROID') then
+            section%centroid = self%values%real(1:2) - section%shear_centre
+         else
+            centroid = section%shear_centre + section%centroid
+            section%shear_centre = self%values%real(1:2)
+            section%centroid = centroid - section%shear_centre
+         end if
+      end associate
+   end subroutine set_centre
+
+   !> A section beside its nodes, by OFFSET1 and OFFSET2 of CalculiX: the node is that many sides from the middle.
+   subroutine set_offset(self, card, section)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(section_t), intent(inout) :: section
+      real(dp) :: offset(2), side(2)
+
+      offset = [real_parameter(self, card, 'OFFSET1', 0.0_dp), real_parameter(self, card, 'OFFSET2', 0.0_dp)]
+      if (.not. any(abs(offset) > 0)) return
+      side = 2*section%outer_radius
+      if (allocated(section%corners)) side = maxval(section%corners, 2) - minval(section%corners, 2)
+      if (.not. all(side > 0)) then
+         call fail_at(self, self%deck%cards(card)%name, 'OFFSET1 and OFFSET2 count sides of the section, and'// &
+            ' GENERAL'// &
+            ' has none')
+         return
+      end if
+      section%shear_centre = section%shear_centre - offset*side
+      ! what touches is not around the nodes
+      section%contact_radius = 0
+      ! the direction in which it lies must be known
+      if (.not. norm2(section%n1) > 0) section%n1 = default_axis
+   end subroutine set_offset
 
    subroutine set_shear(section, young, poisson)
       type(section_t), intent(inout) :: section
@@ -152,15 +227,23 @@ contains
       section%ga3 = shear(2)
    end subroutine set_shear
 
-   !> No section twists harder than its polar moment says, I11 + I22, the value of a circle.
+   !> Second moments are those of some area, and no section twists harder than its polar moment says, I11 + I22, the
+   !> value of a circle.
    !> Source: Timoshenko and Goodier, Theory of Elasticity, 3rd edition, section 105: warping makes it softer.
-   subroutine check_torsion(self, ok)
+   subroutine check_second_moments(self, ok)
       type(reader_t), intent(inout) :: self
       !> .false.: something was reported
       logical, intent(out) :: ok
       real(dp) :: largest
 
       associate (given => self%values%real)
+         ok = given(3)**2 < given(2)*given(4)
+         if (.not. ok) then
+            call fail_at(self, self%values%token(3), 'no section has the product of inertia I12 = '// &
+               to_text(given(3))//' with these second moments: its size is below the root of I11 I22, '// &
+               to_text(sqrt(given(2)*given(4))))
+            return
+         end if
          largest = given(2) + given(4)
          ! values of tables are rounded
          ok = given(5) <= largest*1.01_dp
@@ -168,39 +251,33 @@ contains
             to_text(given(5))//' with these second moments: it is at most I11 + I22 = '//to_text(largest)// &
             '; the fifth value of CalculiX, for its elements U1, is a shear factor')
       end associate
-   end subroutine check_torsion
+   end subroutine check_second_moments
 
-   !> Walls of a box: opposite ones alike, so that its centroid is at the node, and room between them.
+   !> Walls of a box: room between them.
    subroutine check_walls(self, ok)
       type(reader_t), intent(inout) :: self
       !> .false.: something was reported
       logical, intent(out) :: ok
 
-      associate (given => self%values%real, token => self%values%token)
-         ok = is_same(given(3), given(5)) .and. is_same(given(4), given(6))
-         if (.not. ok) then
-            call fail_at(self, token(3), 'opposite walls of a box must be alike, t1 = t3 and t2 = t4: otherwise its'// &
-               ' centroid is beside the node')
-            return
-         end if
-         ok = 2*given(3) < given(1) .and. 2*given(4) < given(2)
-         if (.not. ok) call fail_at(self, token(3), 'the walls of the box leave no room between them: 2 t1 must be'// &
-            ' smaller than a, 2 t2 smaller than b')
+      associate (given => self%values%real)
+         ok = given(3) + given(5) < given(1) .and. given(4) + given(6) < given(2)
+         if (.not. ok) call fail_at(self, self%values%token(3), 'the walls of the box leave no room between them:'// &
+            ' t1 + t3 must be smaller than a, t2 + t4 smaller than b')
       end associate
    end subroutine check_walls
 
-   !> Flanges of an I: alike, and the node between them, so that centroid and shear centre are there.
+   !> Flanges of an I: alike, so that its shear centre is in the middle.
    subroutine check_flanges(self, ok)
       type(reader_t), intent(inout) :: self
       !> .false.: something was reported
       logical, intent(out) :: ok
 
       associate (given => self%values%real, token => self%values%token)
-         ok = is_same(given(3), given(4)) .and. is_same(given(5), given(6)) .and. is_same(2*given(1), given(2))
+         ok = is_same(given(3), given(4)) .and. is_same(given(5), given(6))
          if (.not. ok) then
-            call fail_at(self, token(1), 'both flanges of an I must be alike, b1 = b2 and t1 = t2, and the node'// &
-               ' in the'// &
-               ' middle of the web, l = h/2: otherwise its centroid and its shear centre are beside the node')
+            call fail_at(self, token(3), 'both flanges of an I must be alike, b1 = b2 and t1 = t2: otherwise its'// &
+               ' shear'// &
+               ' centre is beside its centroid')
             return
          end if
          ok = 2*given(5) < given(2) .and. given(7) <= given(3)
@@ -208,6 +285,20 @@ contains
             ' smaller than h, and t3 not larger than b1')
       end associate
    end subroutine check_flanges
+
+   !> Legs of an L: longer than thick.
+   subroutine check_legs(self, ok)
+      type(reader_t), intent(inout) :: self
+      !> .false.: something was reported
+      logical, intent(out) :: ok
+
+      associate (given => self%values%real)
+         ok = given(4) < given(1) .and. given(3) < given(2)
+         if (.not. ok) call fail_at(self, self%values%token(3), 'the legs of the L are no longer than the other'// &
+            ' one is'// &
+            ' thick: t2 must be smaller than a, t1 smaller than b')
+      end associate
+   end subroutine check_legs
 
    !> Equal but for the digits that a deck leaves out.
    pure logical function is_same(a, b)

@@ -1,6 +1,6 @@
 !> The keywords of cross-sections.
 module litz_section_keywords
-   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, limit_positive, limit_zero
+   use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_model, limit_positive, limit_none
    use litz_keyword_builders, only: begin, finish, real_field, choice, name, number
    implicit none
    private
@@ -12,16 +12,21 @@ contains
    pure subroutine add_sections(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
-      character(len=*), parameter :: shapes = 'CIRC|GENERAL|RECT|BOX|PIPE|I'
+      character(len=*), parameter :: shapes = 'CIRC|GENERAL|RECT|BOX|PIPE|I|L'
 
       call begin(k, 'BEAM SECTION', place_model, &
          'Cross-section and material of all elements of a set. Every element has'// &
          ' exactly one. CIRC: solid round wire. GENERAL: given'// &
-         ' stiffnesses, shear factor 1. RECT, BOX, PIPE and I: litz computes the stiffnesses of the shape'// &
+         ' stiffnesses, shear factor 1. RECT, BOX, PIPE, I and L: litz computes the stiffnesses of the shape'// &
          ' (torsion by'// &
-         ' the series of St Venant, by Bredt, or summed over thin walls; shear factors of Cowper); a BOX has'// &
-         ' opposite'// &
-         ' walls that are alike, an I two flanges that are alike. Their first axis n1 is (0, 0, -1) without the'// &
+         ' the series of St Venant, by Bredt, or summed over thin walls; shear factors of Cowper, those of an L'// &
+         ' and of a'// &
+         ' BOX of unlike walls from the energy of their shear flow); an I has two flanges that are alike.'// &
+         ' The node is in the middle of a BOX, at l of an I, and where the mean lines of the legs of an L meet,'// &
+         ' which go'// &
+         ' from there along n1 and n2. Axial forces act at the centroid, shear forces at the shear centre: where'// &
+         ' these'// &
+         ' are beside the node, forces on the node bend and twist. Their first axis n1 is (0, 0, -1) without the'// &
          ' second'// &
          ' data line.')
       call k%add(name('ELSET', 'the elements', required=.true.))
@@ -51,12 +56,16 @@ contains
       call k%add(number('CONTACT RADIUS', &
          'radius of the round contact surface [m]; CIRC: the radius when'// &
          ' left out; other shapes: needed for elements in a contact pair', limit_positive))
+      call k%add(number('OFFSET1', 'place of the nodes along n1 from the middle of the section, in its sides, as in'// &
+         ' CalculiX: 0.5 is the side of n1, and the section lies on the other side of the nodes. CONTACT RADIUS is'// &
+         ' around the nodes', limit_none))
+      call k%add(number('OFFSET2', 'the same along n2', limit_none))
       call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
          'length used for the resistance of an element (litz extension)', default='REFERENCE LENGTH'))
       call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
       general = [real_field('A', 'm^2', 'area', limit_positive), &
          real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
-         real_field('I12', 'm^4', 'n1 and n2 are principal axes', limit_zero), &
+         real_field('I12', 'm^4', 'product of inertia, the integral of x1 x2; 0: n1 and n2 are principal axes'), &
          real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
          real_field('J', 'm^4', 'torsion constant', limit_positive)]
       call k%add_data(general, when='SECTION=GENERAL')
@@ -64,13 +73,16 @@ contains
          limit_positive, required=.false.)], when='SECTION=RECT')
       call k%add_data([length('a', 'outer side along n1'), length('b', 'outer side along n2'), &
          length('t1', 'wall on the side of n1'), length('t2', 'wall on the side of n2'), &
-         length('t3', 'wall opposite to t1, as thick'), length('t4', 'wall opposite to t2, as thick')], &
+         length('t3', 'wall opposite to t1'), length('t4', 'wall opposite to t2')], &
          when='SECTION=BOX')
       call k%add_data([length('r', 'outer radius'), length('t', 'thickness of the wall')], when='SECTION=PIPE')
-      call k%add_data([length('l', 'distance of the node from the lower side, h/2'), length('h', 'height along n2'), &
+      call k%add_data([length('l', 'distance of the node from the lower side'), length('h', 'height along n2'), &
          length('b1', 'width of the lower flange'), length('b2', 'width of the upper flange, b1'), &
          length('t1', 'thickness of the lower flange'), length('t2', 'thickness of the upper flange, t1'), &
          length('t3', 'thickness of the web')], when='SECTION=I')
+      call k%add_data([length('a', 'outer length of the leg along n1'), &
+         length('b', 'outer length of the leg along n2'), length('t1', 'thickness of the leg along n1'), &
+         length('t2', 'thickness of the leg along n2')], when='SECTION=L')
       call k%add_data([real_field('n1x', '-', 'direction of the first axis n1; CIRC and GENERAL: chosen by litz'// &
          ' without'// &
          ' this line'), real_field('n1y', '-', 'its second component'), real_field('n1z', '-', &

@@ -93,17 +93,23 @@ module litz_model
       integer :: material = 0
       !> Radius of the round wire that touches others [m]
       real(dp) :: contact_radius = 0
-      !> Cross-section area [m^2]; second moments about the first and second section axis and torsion constant [m^4]
+      !> Cross-section area [m^2]; second moments about the principal axes and torsion constant [m^4]
       real(dp) :: area = 0, i2 = 0, i3 = 0, j = 0
-      !> Shear stiffnesses along the first and second section axis [N] (used by B31), with the elasticity of the first
+      !> Angle from the first section axis to the first principal axis [rad]
+      real(dp) :: turn = 0
+      !> Shear centre from the node, and centroid from the shear centre, along the section axes (2) [m]
+      real(dp) :: shear_centre(2) = 0, centroid(2) = 0
+      !> Shear stiffnesses along the first and second principal axis [N] (used by B31), with the elasticity of the first
       !> line of *ELASTIC
       real(dp) :: ga2 = 0, ga3 = 0
       !> How these follow from the elasticity: one of `shear_...`
       integer :: shear = shear_given
       !> `shear_by_factors`: shear stiffness over G A, along the first and the second axis
       real(dp) :: shear_factor(2) = 1
-      !> Largest distances of its corners along these axes, and its outer radius where it is round [m]; 0: not known
-      real(dp) :: corner(2) = 0, outer_radius = 0
+      !> Its corners along the section axes from the centroid (2, n), where it has some, and its outer radius where
+      !> it is round [m]; 0: not known
+      real(dp), allocatable :: corners(:, :)
+      real(dp) :: outer_radius = 0
       !> Approximate direction of the first section axis; 0 0 0: chosen by the program
       real(dp) :: n1(3) = 0
       !> Conduction along the current instead of the reference length

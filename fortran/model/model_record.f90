@@ -135,7 +135,10 @@ contains
             if (allocated(model%materials(this%material)%elastic_table)) call record%value( &
                'how the shear stiffness follows from the elasticity', this%shear)
             call record%list('shear stiffness over G A', reshape(this%shear_factor, [2, 1]))
-            call record%list('distances of the corners', reshape(this%corner, [2, 1]))
+            if (allocated(this%corners)) call record%list('corners', this%corners)
+            call record%value('angle of the principal axes', this%turn)
+            call record%list('shear centre', reshape(this%shear_centre, [2, 1]))
+            call record%list('centroid', reshape(this%centroid, [2, 1]))
             call record%value('outer radius', this%outer_radius)
             call record%list('direction of the first axis', reshape(this%n1, [3, 1]))
             call record%value('CONDUCTION', trim(merge('CURRENT LENGTH  ', 'REFERENCE LENGTH', this%current_length)))

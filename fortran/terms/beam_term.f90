@@ -4,6 +4,7 @@
 !> sections 7 and 9.
 module litz_beam_term
    use litz_kinds, only: dp
+   use litz_beam_axes, only: along_principal_axes, along_section_axes
    use litz_domain, only: domain_t
    use litz_element_library, only: heated_beam_t, beam_at_temperature, beam_by_temperature, evaluate_beam
    use litz_end_forces, only: forces_at_ends
@@ -67,9 +68,13 @@ contains
    subroutine start(self, domain)
       class(beam_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
+      integer :: e
 
       self%sigma_from_strain = size(domain%elements%heated) == 0
-      if (.not. self%sigma_from_strain) self%sigma = domain%state%section_forces
+      if (self%sigma_from_strain) return
+      do e = 1, domain%model%n_elements
+         self%sigma(:, e) = along_principal_axes(domain%elements%axes(e), domain%state%section_forces(:, e))
+      end do
    end subroutine start
 
    subroutine evaluate(self, domain, error)
@@ -278,7 +283,7 @@ contains
             associate (e => elements%heated(i), length => elements%length(elements%heated(i)))
                before = beam_at_temperature(domain%model, elements, i, &
                   sum(temperature(domain%model%connectivity(:, e)))/2)
-               strain = domain%state%section_forces(:, e)/before%rigidity
+               strain = along_principal_axes(elements%axes(e), domain%state%section_forces(:, e))/before%rigidity
                work = work - energy_of(length, before%rigidity, strain) &
                   + energy_of(length, elements%rigidity(:, e), axially_less(strain, elements%thermal_strain(e) &
                   - before%thermal_strain))
@@ -314,7 +319,9 @@ contains
 
       integer :: e
 
-      domain%state%section_forces = self%section_forces
+      do e = 1, domain%model%n_elements
+         domain%state%section_forces(:, e) = along_section_axes(domain%elements%axes(e), self%section_forces(:, e))
+      end do
       if (.not. domain%state%has_section_results) return
       do e = 1, domain%model%n_elements
          domain%state%section_ends(:, e) = forces_at_ends(domain, e, domain%elements%length(e) &

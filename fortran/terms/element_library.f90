@@ -1,6 +1,7 @@
 !> The one place that knows which kernel belongs to which element type.
 module litz_element_library
    use litz_kinds, only: dp
+   use litz_beam_axes, only: beam_axes_t, beam_axes_of, axis_of_beam, forces_at_nodes, forces_of_axis, add_eccentricity
    use litz_beam_b31, only: beam_b31, beam_b31_reference, beam_b31_rigidities
    use litz_beam_b33, only: beam_b33, beam_b33_reference, beam_b33_rigidities
    use litz_element_types, only: element_types, element_b31, element_b33
@@ -20,8 +21,10 @@ module litz_element_library
    type :: elements_t
       !> Reference lengths (n_elements) [m]
       real(dp), allocatable :: length(:)
-      !> Strains of the stress-free reference (6, n_elements)
+      !> Strains of the stress-free reference along the axis of the kernel (6, n_elements)
       real(dp), allocatable :: strain0(:, :)
+      !> Where centroid and shear centre are (n_elements)
+      type(beam_axes_t), allocatable :: axes(:)
       !> EA, GA2, GA3, GJ, EI2, EI3 (6, n_elements) [N, N m^2]
       real(dp), allocatable :: stiffness(:, :)
       !> Section forces per strain of the element's own strain measures (6, n_elements)
@@ -132,14 +135,16 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(out) :: elements
       type(beam_t) :: beam
+      real(dp) :: x0(3, 2), triads0(3, 3, 2)
       integer :: e, n
 
       n = model%n_elements
-      allocate (elements%length(n), elements%strain0(6, n), elements%stiffness(6, n), elements%rigidity(6, n), &
-         elements%resistivity(n), elements%area(n), elements%radius(n), elements%shear_flexible(n))
+      allocate (elements%axes(n), elements%length(n), elements%strain0(6, n), elements%stiffness(6, n), &
+         elements%rigidity(6, n), elements%resistivity(n), elements%area(n), elements%radius(n), &
+         elements%shear_flexible(n))
       allocate (elements%thermal_strain(n), elements%taper(n), source=0.0_dp)
       do e = 1, n
-         associate (section => model%sections(model%element_section(e)), x0 => model%x(:, model%connectivity(:, e)))
+         associate (section => model%sections(model%element_section(e)))
             associate (material => model%materials(section%material))
                elements%stiffness(:, e) = section_stiffness(section, material%young, material%poisson)
                elements%resistivity(e) = 0
@@ -149,7 +154,11 @@ contains
             elements%radius(e) = section%contact_radius
             elements%shear_flexible(e) = element_types(model%element_type(e))%shear_flexible
             beam = beam_of(model%element_type(e))
-            call beam%reference(x0, wires%triads0(:, :, :, e), elements%length(e), elements%strain0(:, e))
+            elements%axes(e) = beam_axes_of(section)
+            x0 = model%x(:, model%connectivity(:, e))
+            triads0 = wires%triads0(:, :, :, e)
+            call axis_of_beam(elements%axes(e), x0, triads0)
+            call beam%reference(x0, triads0, elements%length(e), elements%strain0(:, e))
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
          end associate
       end do
@@ -365,14 +374,62 @@ contains
       !> Section forces (6) [N, N m], strains (6) [1, 1/m], and their derivatives by the displacements (6, 12)
       real(dp), intent(out) :: section_forces(6), strain(6), b(6, 12)
       type(beam_t) :: beam
-      real(dp) :: strain0(6)
 
       beam = beam_of(element_type)
-      strain0 = elements%strain0(:, e)
-      strain0(1) = strain0(1) + elements%thermal_strain(e)
-      associate (length => elements%length(e), stiffness => elements%stiffness(:, e))
-         call beam%evaluate(x, triads, length, strain0, stiffness, k, r, energy, section_forces, strain, b, sigma)
-      end associate
+      if (elements%axes(e)%plain) then
+         call beam%evaluate(x, triads, elements%length(e), stress_free(elements, e), elements%stiffness(:, e), k, r, &
+            energy, section_forces, strain, b, sigma)
+      else
+         call evaluate_beside(beam, elements, e, x, triads, sigma, k, r, energy, section_forces, strain, b)
+      end if
    end subroutine evaluate_beam
+
+   !> The kernel along the line of shear centres, strains along that of centroids.
+   pure subroutine evaluate_beside(beam, elements, e, x, triads, sigma, k, r, energy, section_forces, strain, b)
+      type(beam_t), intent(in) :: beam
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> As in `evaluate_beam`: those of the nodes
+      real(dp), intent(in) :: x(3, 2), triads(3, 3, 2)
+      !> Section forces of the geometric stiffness (6) [N, N m]
+      real(dp), intent(in), optional :: sigma(6)
+      !> Tangent (12, 12), residual (12) [N, N m], and strain energy [J], of the nodes
+      real(dp), intent(out) :: k(12, 12), r(12), energy
+      !> As in `evaluate_beam`, at the centres of the section and along its principal axes
+      real(dp), intent(out) :: section_forces(6), strain(6), b(6, 12)
+      real(dp) :: x_axis(3, 2), triads_axis(3, 3, 2), s(6), force(6, 2)
+
+      x_axis = x
+      triads_axis = triads
+      associate (axes => elements%axes(e), length => elements%length(e), rigidity => elements%rigidity(:, e), &
+         stiffness => elements%stiffness(:, e))
+         call axis_of_beam(axes, x_axis, triads_axis)
+         if (present(sigma)) then
+            s = sigma
+         else
+            call beam%evaluate(x_axis, triads_axis, length, stress_free(elements, e), stiffness, k, r, energy, &
+               section_forces, strain, b)
+            call add_eccentricity(axes, length, rigidity(1), k, r, energy, section_forces, strain, b)
+            s = section_forces
+         end if
+         call beam%evaluate(x_axis, triads_axis, length, stress_free(elements, e), stiffness, k, r, energy, &
+            section_forces, strain, b, forces_of_axis(axes, s))
+         call add_eccentricity(axes, length, rigidity(1), k, r, energy, section_forces, strain, b)
+         force = reshape(length*matmul(s, b), [6, 2])
+         call forces_at_nodes(axes, triads, force(1:3, :), k, r, b)
+      end associate
+   end subroutine evaluate_beside
+
+   !> Strains of the stress-free state at the present temperature (6).
+   pure function stress_free(elements, e) result(strain)
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      real(dp) :: strain(6)
+
+      strain = elements%strain0(:, e)
+      strain(1) = strain(1) + elements%thermal_strain(e)
+   end function stress_free
 
 end module litz_element_library

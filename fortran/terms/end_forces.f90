@@ -4,6 +4,7 @@
 !> of statics whatever the element, and the same from both sides where nothing acts on the node itself.
 module litz_end_forces
    use litz_kinds, only: dp
+   use litz_beam_axes, only: at_section_centres
    use litz_domain, only: domain_t
    implicit none
    private
@@ -11,7 +12,7 @@ module litz_end_forces
 
 contains
 
-   !> `-R1^T f1, -R1^T m1, R2^T f2, R2^T m2` in the sections of the nodes.
+   !> `-R1^T f1, -R1^T m1, R2^T f2, R2^T m2` in the sections of the nodes; the moments at the centres of the section.
    pure function forces_at_ends(domain, element, force) result(ends)
       type(domain_t), intent(in) :: domain
       !> Index of the element
@@ -27,6 +28,11 @@ contains
       ends(4:6) = -matmul(force(4:6), triads(:, :, 1))
       ends(7:9) = matmul(force(7:9), triads(:, :, 2))
       ends(10:12) = matmul(force(10:12), triads(:, :, 2))
+      associate (axes => domain%elements%axes(element))
+         if (axes%plain) return
+         ends(1:6) = at_section_centres(axes, ends(1:6))
+         ends(7:12) = at_section_centres(axes, ends(7:12))
+      end associate
    end function forces_at_ends
 
    !> Positions and triads of the nodes of an element at the present iterate.

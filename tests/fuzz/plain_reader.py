@@ -78,19 +78,57 @@ def shape_of(word, given):
         series = sum(math.tanh(n * math.pi * long / 2 / short) / n**5 for n in range(1, 240, 2))
         torsion = long * short**3 / 3 * (1 - 192 * short / math.pi**5 / long * series)
         return 0.0, [a * b, a * b**3 / 12, b * a**3 / 12, torsion]
+    if word in ("BOX", "I", "L"):
+        return 0.0, walled_shape(word, given)
+    return 0.0, [given[0], *principal(*given[1:4]), given[4]]
+
+
+def walled_shape(word, given):
+    """A, I11, I22, J of a cross-section of plates."""
+    if word == "BOX" and not (
+        math.isclose(given[2], given[4], rel_tol=1e-6) and math.isclose(given[3], given[5], rel_tol=1e-6)
+    ):
+        a, b, t1, t2, t3, t4 = given
+        area, second = second_moments((0, 0, a, b, 1), ((t3 - t1) / 2, (t4 - t2) / 2, a - t1 - t3, b - t2 - t4, -1))
+        width, height = a - (t1 + t3) / 2, b - (t2 + t4) / 2
+        torsion = 4 * (width * height) ** 2 / (height / t1 + width / t2 + height / t3 + width / t4)
+        torsion += (height * (t1**3 + t3**3) + width * (t2**3 + t4**3)) / 3
+        return [area, *principal(*second), torsion]
+    if word == "L":
+        a, b, t1, t2 = given
+        area, second = second_moments(((a - t2) / 2, 0, a, t1, 1), (0, b / 2, t2, b - t1, 1))
+        return [area, *principal(*second), ((a - t2 / 2) * t1**3 + (b - t1 / 2) * t2**3) / 3]
     if word == "BOX":
         a, b, t1, t2 = given[:4]
         inner = a - 2 * t1, b - 2 * t2
         area, bending = a * b - inner[0] * inner[1], (a * b**3 - inner[0] * inner[1] ** 3) / 12
         around = 2 * (b - t2) / t1 + 2 * (a - t1) / t2
-        return 0.0, [area, bending, (b * a**3 - inner[1] * inner[0] ** 3) / 12, 4 * ((a - t1) * (b - t2)) ** 2 / around]
+        return [area, bending, (b * a**3 - inner[1] * inner[0] ** 3) / 12, 4 * ((a - t1) * (b - t2)) ** 2 / around]
     if word == "I":
         _, h, b, _, flange, _, web = given
         clear = h - 2 * flange
         bending = (b * h**3 - (b - web) * clear**3) / 12
         across = (2 * flange * b**3 + clear * web**3) / 12
-        return 0.0, [2 * b * flange + clear * web, bending, across, (2 * b * flange**3 + (h - flange) * web**3) / 3]
-    return 0.0, [given[0], given[1], given[3], given[4]]
+        return [2 * b * flange + clear * web, bending, across, (2 * b * flange**3 + (h - flange) * web**3) / 3]
+    raise ValueError(word)
+
+
+def second_moments(*plates):
+    """Area, and I11, I12, I22 about the centroid, of rectangles: middle, sides, 1 or -1."""
+    area = sum(sign * a * b for _, _, a, b, sign in plates)
+    x0, y0 = (sum(plate[4] * plate[2] * plate[3] * plate[k] for plate in plates) / area for k in (0, 1))
+    i11 = sum(sign * a * b * (b**2 / 12 + (y - y0) ** 2) for _, y, a, b, sign in plates)
+    i12 = sum(sign * a * b * (x - x0) * (y - y0) for x, y, a, b, sign in plates)
+    i22 = sum(sign * a * b * (a**2 / 12 + (x - x0) ** 2) for x, _, a, b, sign in plates)
+    return area, (i11, i12, i22)
+
+
+def principal(i11, i12, i22):
+    """Second moments about the principal axes nearest to n1 and n2."""
+    if i12 == 0:
+        return [i11, i22]
+    middle, radius = (i11 + i22) / 2, math.hypot((i11 - i22) / 2, i12)
+    return [middle + radius, middle - radius] if i11 > i22 else [middle - radius, middle + radius]
 
 
 def number(text):
@@ -245,10 +283,14 @@ class PlainReader:
             self.section_of |= dict.fromkeys(self.sets["ELSET"][name], n)
             given = [number(value) for value in values(data[0])]
             contact_radius, shape = shape_of(squeezed(parameters["SECTION"]), given)
+            beside = any(number(parameters.get(offset, "0")) != 0 for offset in ("OFFSET1", "OFFSET2"))
+            contact_radius *= not beside
             if "CONTACTRADIUS" in parameters:
                 contact_radius = number(parameters["CONTACTRADIUS"])
             n1 = [number(value) for value in values(data[1])] if len(data) > 1 else [0.0, 0.0, 0.0]
-            if len(data) == 1 and squeezed(parameters["SECTION"]) in ("RECT", "BOX", "I"):
+            if len(data) == 1 and beside:
+                n1 = [0.0, 0.0, -1.0]
+            if len(data) == 1 and squeezed(parameters["SECTION"]) in ("RECT", "BOX", "I", "L"):
                 n1 = [0.0, 0.0, -1.0]
             material = self.names["MATERIAL"].index(capitals(parameters["MATERIAL"])) + 1
             current = int(squeezed(parameters.get("CONDUCTION", "")) == "CURRENTLENGTH")

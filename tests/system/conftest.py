@@ -94,6 +94,7 @@ def reports_without_pictures(monkeypatch):
     report = importlib.import_module("litz.reports.report")
     monkeypatch.setattr(report, "plot", lambda results, kind, filename, **options: filename)
     monkeypatch.setattr(report, "begin_wires", lambda results, fields, paths, size: lambda: None)
+    monkeypatch.setattr(report, "_make_smaller", lambda pictures, room: None)
     monkeypatch.setattr(report, "_figure", lambda picture, text: f"<figure>{html.escape(text)}</figure>")
 
 

@@ -16,14 +16,11 @@ from litz.model.foreign_deck import convert_deck
 
 DECKS = Path("/usr/share/doc/calculix-ccx-test/examples/test")
 RUN = (
-    "b31 beamlin beamtor boxprofile rot1 rot2 rot3 section section4 simplebeam simplebeampipe1 simplebeampipe2"
-    " simplebeampipe4 swing"
+    "b31 beamcom beamlin beammix beamtor boxprofile rot1 rot2 rot3 section section4 simplebeam simplebeampipe1 simplebeampipe2"
+    " simplebeampipe4 swing uprofile"
 )
 #: What others need, as the messages have it
 NEED = {
-    "beamcom": "the axis of a wire passes through its nodes",
-    "beammix": "the axes of wires pass through their nodes",
-    "uprofile": "its centroid is beside the node",
     "simplebeampipe3": "the deck ends without any *STEP",
     "pendel": "a run begins without stress and current",
     "contact11": 'found "C3D8"',
@@ -134,6 +131,8 @@ def displacements_of_calculix(path):
         ("rot2", 4, 0.015),
         # cantilevers of a square section and of a pipe
         ("section", 4, 0.002), ("simplebeampipe1", 4, 0.003),
+        # two beams on the same nodes, one above and one below
+        ("beamcom", 4, 0.015),
     ],
 )  # fmt: skip
 def test_on_fine_meshes_both_programs_agree(tmp_path, name, m, tolerance):

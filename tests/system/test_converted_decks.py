@@ -329,3 +329,103 @@ def test_a_side_that_is_left_out_is_that_of_a_square_in_calculix(convert, litz, 
     expected = 0.01 * 100**3 / (3 * 210000 * 6**4 / 12) + 0.01 * 100 / (210000 / 2.6 * 36 * 13 / 15.3)
     # the error of 80 linear elements, 1 over 4 times 80^2
     assert Results(tmp_path / "out").field("displacement")[80, 2] == pytest.approx(expected, rel=5e-5)
+
+
+def test_what_is_in_no_step_becomes_comments(convert, litz, tmp_path):
+    """As in the deck uprofile of CalculiX's tests, where a *STEP is missing: CalculiX ends there."""
+    lost = "*Static\n*Cload\n Tip-2, 3, 5.\n*End Step\n"
+    done, new = convert(CAE + lost)
+    assert done.returncode == 1
+    assert (
+        "WITHOUT WHICH THE RESULTS ARE OTHERS:\n  *STATIC after *END STEP: it is in no step, and CalculiX ends"
+        in done.stderr
+    )
+    assert done.stderr.count("is in no step") == 1
+    assert new.endswith("** *Static\n** *Cload\n**  Tip-2, 3, 5.\n** *End Step\n")
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+
+
+#: Two wires that cross, and surfaces around them
+SURFACES = """\
+*NODE
+ 1, 0, 0, 0
+ 2, 1e-2, 0, 0
+ 3, 2e-2, 0, 0
+ 11, 1e-2, -1e-2, 1.995e-3
+ 12, 1e-2, 1e-2, 1.995e-3
+*ELEMENT, TYPE=B31, ELSET=A
+ 1, 1, 2
+ 2, 2, 3
+*ELEMENT, TYPE=B31, ELSET=B
+ 11, 11, 12
+*MATERIAL, NAME=M
+*ELASTIC
+ 1e11, 0.3
+*BEAM SECTION, ELSET=A, SECTION=RECT, MATERIAL=M, CONTACT RADIUS=1e-3
+ 2e-3, 2e-3
+*BEAM SECTION, ELSET=B, SECTION=RECT, MATERIAL=M, CONTACT RADIUS=1e-3
+ 2e-3, 2e-3
+{surfaces}*SURFACE INTERACTION, NAME=T
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ
+*CONTACT PAIR, INTERACTION=T{way}
+ LOWER, B
+*BOUNDARY
+ 1, ENCASTRE
+ 3, ENCASTRE
+ 11, ENCASTRE
+ 12, ENCASTRE
+*STEP, NLGEOM
+*STATIC
+*END STEP
+"""
+
+
+def test_surfaces_of_elements_become_element_sets(convert, litz, tmp_path):
+    """A surface may have the name of a set with other members: pairs then name a new set."""
+    surfaces = "*SURFACE, TYPE=ELEMENT, NAME=LOWER\n 1,\n 2,\n*SURFACE, NAME=B\n 11,\n"
+    done, new = convert(SURFACES.format(surfaces=surfaces, way=", TYPE=NODE TO SURFACE"))
+    assert done.returncode == 0, done.stderr
+    assert "*ELSET, ELSET=LOWER\n 1, 2\n*ELSET, ELSET=B_SURFACE\n 11\n" in new
+    assert "*CONTACT PAIR, INTERACTION=T\n LOWER, B_SURFACE\n" in new
+    assert "TYPE of *CONTACT PAIR: wires touch at points" in done.stdout + done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    assert Results(tmp_path / "out").contacts.n_rows == 1
+
+
+def test_a_surface_that_is_its_set_needs_none(convert):
+    surfaces = "*SURFACE, NAME=LOWER\n A\n*SURFACE, NAME=B\n B\n"
+    done, new = convert(SURFACES.format(surfaces=surfaces, way=""))
+    assert done.returncode == 0, done.stderr
+    assert "*ELSET, ELSET=LOWER\n A\n** *SURFACE, NAME=B\n**  B\n" in new
+    assert "\n LOWER, B\n" in new
+
+
+@pytest.mark.parametrize(
+    ("surface", "reason"),
+    [
+        ("*SURFACE, NAME=LOWER\n A, END1\n", "*SURFACE, NAME=LOWER: the ends of wires are no surfaces of their own"),
+        ("*SURFACE, NAME=LOWER\n A, S2\n", "*SURFACE, NAME=LOWER: the side S2 is one of solids or shells"),
+        ("*SURFACE, NAME=LOWER, TYPE=NODE\n 1, 1.0\n", "a surface of TYPE=NODE is none of elements"),
+        ("*SURFACE, NAME=LOWER, COMBINE=UNION\n A, B\n", "write out the elements of combined surfaces"),
+    ],
+)
+def test_surfaces_that_are_no_sets_become_comments(convert, surface, reason):
+    done, new = convert(SURFACES.format(surfaces=surface, way=", SMALL SLIDING"))
+    assert done.returncode == 1
+    results_change = done.stderr.split("WITHOUT WHICH THE RESULTS ARE OTHERS")[1]
+    assert reason in results_change
+    assert "SMALL SLIDING of *CONTACT PAIR" in results_change
+    assert f"** {surface.splitlines()[0]}\n" in new
+    assert "ELSET=LOWER" not in new.replace("** ", "")
+
+
+def test_surfaces_of_parts_have_the_name_of_their_instance(convert):
+    part = "*Surface, type=ELEMENT, name=Skin\n Set-1,\n*End Part\n"
+    pair = (
+        "*Surface Interaction, name=Touch\n*Surface Behavior, pressure-overclosure=HERTZ\n"
+        "*Contact Pair, interaction=Touch\nBar-1.Skin, Bar-2.Skin\n*Step, name=Modes"
+    )
+    _, new = convert(CAE.replace("*End Part\n", part).replace("*Step, name=Modes", pair))
+    assert "*ELSET, ELSET=Bar-1.Skin\n Bar-1.Set-1\n" in new
+    assert "*ELSET, ELSET=Bar-2.Skin\n Bar-2.Set-1\n" in new

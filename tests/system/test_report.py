@@ -1,5 +1,7 @@
 """`litz report`: what the page says is what the results hold."""
 
+import base64
+import gzip
 import re
 
 import numpy as np
@@ -72,6 +74,21 @@ class TestPage:
     def test_the_text_of_the_deck_is_escaped(self, page, grid):
         assert "<pre>*HEADING" in page
         assert grid.deck.splitlines()[-2] in page
+
+
+@pytest.mark.parametrize("name", ["11_fibre_mat", "14_strand"])
+def test_pages_of_many_contacts_are_small_too(run_of_input, tmp_path, name):
+    """The last increment at least, more of them where there is room, and pictures of less quality where there is none."""
+    results = litz.Results(run_of_input(name))
+    page = litz.report(results, tmp_path / "report.html").read_text(encoding="utf-8")
+    assert len(page.encode()) < 1e6
+    told = re.search(r"(\d+) of (\d+) increments are in this page", page)
+    count = int(told[1]) if told else len(results.times)
+    assert page.count('id="litz-increment-') == count >= 1
+    assert page.count("data:image/webp;base64,UklGR") == page.count('<img alt="')
+    if len(results.deck) > 20000:
+        zipped = re.search(r'<details id="litz-deck" data-deck="([^"]*)"', page)[1]
+        assert gzip.decompress(base64.b64decode(zipped)).decode() == results.deck
 
 
 class TestWorstContacts:

@@ -172,7 +172,7 @@ def test_two_diameters_of_calculix_are_those_of_an_ellipse(file):
 
 def test_a_section_beside_its_nodes_is_refused(file):
     deck = file(BEAMME + SECTIONS.replace("section=CIRC\n 1e-3", "section=CIRC, offset1=0.5\n 1e-3"), "offset.inp")
-    with pytest.raises(ValueError, match="OFFSET1: the axes of wires pass through their nodes"):
+    with pytest.raises(ValueError, match="OFFSET1: the axes of wires of a mesh pass through their nodes"):
         litz.read_mesh(deck, dialect="ccx")
 
 

@@ -53,12 +53,16 @@ program test_tangents
       '11, 5'//nl//'12, 60'//nl//'13, 10'//nl//'14, 80'//nl
    !> Card of the material that expands, and its data
    character(len=:), allocatable :: expansion, elasticity, conductivity
+   !> Shapes of the sections of both wires, and their data
+   character(len=:), allocatable :: section_a, section_b
    integer :: failures = 0, term
    !> Which terms of the list have added something in some deck
    logical, allocatable :: has_added(:)
 
    call start_random_numbers()
    expansion = ''
+   section_a = 'CIRC'//nl//'1e-3'
+   section_b = 'CIRC'//nl//'0.8e-3'
    elasticity = '1.1e11, 0.3'//nl
    conductivity = '5e7'//nl
    call check_terms('B33 and B31', 'B33', 'B31', penalty, '', '', exact)
@@ -93,6 +97,7 @@ program test_tangents
       1.0e-4_dp, 0.01_dp, bodies_of('TIE'))
    call check_terms('tied nodes that slip', 'B33', 'B33', penalty//'*FRICTION'//nl//'1e-4'//nl, '', loads_of_bodies, &
       exact, bodies=bodies_of('TIE'))
+   call check_sections()
    ! each surface on a cantilever
    call check_terms('rigid surfaces', 'B33', 'B31', surfaces('PLANE', '0, 0, -1.02e-3, 2e-4, -0.005, 1'), '', '', &
       exact)
@@ -322,8 +327,8 @@ contains
          '*ELEMENT, TYPE='//type_2//', ELSET=B'//nl//'11, 11, 12'//nl//'12, 12, 13'//nl//'13, 13, 14'//nl// &
          '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//elasticity//expansion// &
          '*ELECTRICAL CONDUCTIVITY'//nl//conductivity// &
-         '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
-         '*BEAM SECTION, ELSET=B, MATERIAL=M, SECTION=CIRC'//nl//'0.8e-3'//nl// &
+         '*BEAM SECTION, ELSET=A, MATERIAL=M, CONTACT RADIUS=1e-3, SECTION='//section_a//nl// &
+         '*BEAM SECTION, ELSET=B, MATERIAL=M, CONTACT RADIUS=0.8e-3, SECTION='//section_b//nl// &
          '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//names//nl
    end function elements_and_contact
 
@@ -593,6 +598,23 @@ contains
       call check_terms('equations along local axes', 'B33', 'B33', penalty//spot, '', loads, exact, &
          bodies=motions//single//axes)
    end subroutine check_equations
+
+   !> Centroids and shear centres beside the nodes, and principal axes that are not those of the sections.
+   subroutine check_sections()
+      section_a = 'L'//nl//'2.2e-3, 1.6e-3, 0.4e-3, 0.3e-3'//nl//'0, 1, 0.3'
+      section_b = 'BOX, OFFSET1=0.4, OFFSET2=-0.7'//nl//'1.2e-3, 1.8e-3, 0.2e-3, 0.1e-3, 0.3e-3, 0.25e-3'
+      call check_terms('sections beside their nodes', 'B33', 'B31', penalty//spot, '', '', exact)
+      call check_terms('unsymmetric sections', 'B31', 'B33', penalty//spot, '', loads_of_bodies, exact, &
+         bodies=bodies_of('TIE'))
+      expansion = '*CONDUCTIVITY'//nl//'430, 100'//nl//'350, 900'//nl//'*EXPANSION, ZERO=250'//nl//'17e-6, 100'//nl// &
+         '25e-6, 900'//nl
+      elasticity = '1.2e11, 0.3, 200'//nl//'0.8e11, 0.35, 600'//nl
+      call check_coupled('unsymmetric sections that soften', 'B33', hertz//spot, exact)
+      expansion = ''
+      elasticity = '1.1e11, 0.3'//nl
+      section_a = 'CIRC'//nl//'1e-3'
+      section_b = 'CIRC'//nl//'0.8e-3'
+   end subroutine check_sections
 
    !> Forces on the length of elements: of fixed direction, turning with the sections, and of a magnetic field on the
    !> current, whose change with potentials and temperatures is part of the tangent where one step solves for them.

@@ -17,7 +17,7 @@ from .lines import Value, data_line, is_comment, line_end
 
 #: Cards whose data lines begin with a node or an element, or the name of a set
 _ON_NODES = ("BOUNDARY", "CLOAD", "CECURRENT", "CFLUX", "TEMPERATURE", "INITIAL CONDITIONS")
-_ON_ELEMENTS = ("DLOAD", "LORENTZ", "DFLUX", "FILM", "RADIATE")
+_ON_ELEMENTS = ("DLOAD", "LORENTZ", "DFLUX", "FILM", "RADIATE", "SURFACE")
 #: Cards that have no meaning where the instances are placed
 _STRUCTURE = ("ASSEMBLY", "END ASSEMBLY")
 
@@ -225,6 +225,8 @@ class _Instances:
                         card[i, 0] = new
         elif card.is_a("EQUATION"):
             self._renumber_terms(card, instance, prefix)
+        if card.is_a("SURFACE") and prefix:
+            card["NAME"] = f"{prefix}{card['NAME']}"
         if "REF NODE" in card:
             card["REF NODE"] = self._item_or_set(card["REF NODE"], self.nodes, instance, prefix)
         for parameter in ("NSET", "ELSET", "TIE NSET", "PIN NSET"):

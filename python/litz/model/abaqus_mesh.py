@@ -252,6 +252,12 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
                 stacklevel=6,
             )
             continue
+        offsets = [one for one in ("OFFSET1", "OFFSET2") if float(card.get(one, 0))]
+        if offsets:
+            raise ValueError(
+                f"{reader.path}: *BEAM SECTION, ELSET={card.get('ELSET')} has {' and '.join(offsets)}: the axes of wires of a"
+                " mesh pass through their nodes; litz convert keeps the whole deck"
+            )
         material = _material(name, *values)
         yield f"{prefix}{card['ELSET']}", round_section(reader.path, reader.dialect, card, material), material
 
@@ -264,9 +270,6 @@ def round_section(path: Path, dialect: str | None, card: Card, material: Materia
             f"{where} is the radius in Abaqus, but the diameter in CalculiX: which of them is meant must be told by"
             " --dialect abaqus or --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
         )
-    offsets = [name for name in ("OFFSET1", "OFFSET2") if float(card.get(name, 0))]
-    if offsets:
-        raise ValueError(f"{where} has {' and '.join(offsets)}: the axes of wires pass through their nodes")
     values = [value for value in (card.data or [[]])[0] if value is not None]
     if len(values) not in (1, 2)[: 1 + (dialect == "ccx")]:
         takes = "the radius" if dialect == "abaqus" else "one diameter, or two"
@@ -277,11 +280,15 @@ def round_section(path: Path, dialect: str | None, card: Card, material: Materia
     if first == last:
         return Circular(first / 2)
     n1 = [float(value or 0) for value in [*card.data[1], 0, 0, 0][:3]] if len(card.data) > 1 else [0.0, 0.0, -1.0]
-    return _ellipse(first / 2, last / 2, (n1[0], n1[1], n1[2]), material)
+    # the node is that many diameters from the middle
+    arm = [-float(card.get(name, 0)) * diameter for name, diameter in (("OFFSET1", first), ("OFFSET2", last))]
+    return _ellipse(first / 2, last / 2, (n1[0], n1[1], n1[2]), material, (arm[0], arm[1]))
 
 
-def _ellipse(a: float, b: float, n1: tuple[float, float, float], material: Material) -> General:
-    """A solid ellipse of semi-axes `a` along the first axis and `b` along the second.
+def _ellipse(
+    a: float, b: float, n1: tuple[float, float, float], material: Material, middle: tuple[float, float]
+) -> General:
+    """A solid ellipse of semi-axes `a` along the first axis and `b` along the second, its middle from the node.
 
     Second moments and torsion constant: Timoshenko and Goodier, Theory of Elasticity, 3rd edition, section 105. Shear
     factors: Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33 (1966), 335-340.
@@ -295,7 +302,16 @@ def _ellipse(a: float, b: float, n1: tuple[float, float, float], material: Mater
         factor = 12 * (1 + nu) * m * (3 * m + 1) / ((40 + 37 * nu) * m**2 + (16 + 10 * nu) * m + nu)
         return factor * area * material.young / (2 * (1 + nu))
 
-    return General(area, area * b**2 / 4, area * a**2 / 4, torsion, n1=n1, shear=(shear(a, b), shear(b, a)))
+    return General(
+        area,
+        area * b**2 / 4,
+        area * a**2 / 4,
+        torsion,
+        n1=n1,
+        shear=(shear(a, b), shear(b, a)),
+        centroid=middle if any(middle) else None,
+        shear_center=middle if any(middle) else None,
+    )
 
 
 def _material(name: str, young: float, poisson: float, conductivity: float | None = None) -> Material:

@@ -10,6 +10,7 @@ from ..deck import Card, Deck
 from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import keywords, squeezed
 from .abaqus_mesh import round_section
+from .beam_surfaces import remove_pair_parameters, surfaces_as_sets
 from .materials import General, Material
 
 
@@ -61,8 +62,16 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     cards = flat_cards(path)
     converted = ConvertedDeck("")
     materials = _materials(cards)
+    surfaces = list(surfaces_as_sets(cards))
+    for parameter in remove_pair_parameters(cards):
+        told = converted.left_out if parameter == "SMALL SLIDING" else converted.ignored
+        told.append(f"{parameter} of *CONTACT PAIR: wires touch at points, which may slide any distance")
     chunks = [_converted(card, dialect, materials, path) for card in cards]
-    commented: set[int] = set()
+    commented = {place for place, _, _ in surfaces}
+    for place, new, reason in surfaces:
+        chunks[place] = "".join(cards[place].comments) + new.text if new else _commented(cards[place], reason)
+        if reason:
+            converted.left_out.append(reason)
     for first, last in _steps(cards):
         reason = _reason_to_leave_out(cards[first : last + 1])
         if reason:
@@ -72,6 +81,11 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
             for i in range(first, last + 1):
                 chunks[i] = _commented(cards[i], reason if i == first else "")
             commented |= set(range(first, last + 1))
+    for i in _outside_of_steps(cards):
+        if i - 1 not in commented:
+            converted.left_out.append(f"*{cards[i].name} after *END STEP: it is in no step, and CalculiX ends there")
+        chunks[i] = _commented(cards[i], "")
+        commented.add(i)
     for i, card in enumerate(cards):
         if i not in commented and not _known(card.name):
             reason = _advice(card.name)
@@ -111,6 +125,18 @@ def _steps(cards: list) -> Iterator[tuple[int, int]]:
         elif card.is_a("END STEP") and first is not None:
             yield first, i
             first = None
+
+
+def _outside_of_steps(cards: list) -> Iterator[int]:
+    """What stands behind the end of a step, before the next one."""
+    outside = False
+    for i, card in enumerate(cards):
+        if card.is_a("STEP"):
+            outside = False
+        elif outside:
+            yield i
+        elif card.is_a("END STEP"):
+            outside = True
 
 
 def _reason_to_leave_out(step: list[Card]) -> str:
@@ -159,7 +185,10 @@ def _converted(card: Card, dialect: str | None, materials: dict[str, Material], 
         row = card.data[0][:1]
         card.data = [row, *card.data[1:]]
         return card.text
-    shear = section.shear or (0.0, 0.0)
     card["SECTION"] = "GENERAL"
-    card.data = [[section.area, section.i11, 0, section.i22, section.j], list(section.n1 or (0.0, 0.0, -1.0))]
-    return card.text + Card.make("TRANSVERSE SHEAR STIFFNESS", {}, [list(shear)]).text
+    for name in ("OFFSET1", "OFFSET2"):
+        if name in card:
+            del card[name]
+    (_, _, data), *more = section.cards("ANY", material.name)
+    card.data = data
+    return card.text + "".join(Card.make(*one).text for one in more)

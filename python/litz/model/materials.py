@@ -256,7 +256,7 @@ class General:
     area : float
         Area [m^2].
     i11, i22 : float
-        Second moments for bending about the first and the second axis, which are principal axes [m^4].
+        Second moments for bending about the first and the second axis [m^4].
     j : float
         Torsion constant [m^4].
     n1 : tuple of 3 float, optional
@@ -267,6 +267,10 @@ class General:
         Radius of the round surface that touches others [m]; needed for wires in a contact pair.
     conduction : {"REFERENCE LENGTH", "CURRENT LENGTH"}
         Length that the resistance of an element is taken over.
+    i12 : float
+        Product of inertia, the integral of x1 x2 [m^4]; 0: the axes are principal ones.
+    centroid, shear_center : tuple of 2 float, optional
+        Where axial forces act, and what the section twists about, from the node along both axes [m]; they need `n1`.
     """
 
     area: float
@@ -277,24 +281,35 @@ class General:
     shear: tuple[float, float] | None = None
     contact_radius: float | None = None
     conduction: str = "REFERENCE LENGTH"
+    i12: float = 0.0
+    centroid: tuple[float, float] | None = None
+    shear_center: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
-        for name in ("n1", "shear"):
+        for name in ("n1", "shear", "centroid", "shear_center"):
             given: Iterable[float] | None = getattr(self, name)
             if given is not None:
                 object.__setattr__(self, name, tuple(float(value) for value in given))
+        if self.n1 is None and (self.centroid is not None or self.shear_center is not None):
+            raise ValueError(
+                "centroid and shear_center are along the section axes: give n1, the direction of the first one"
+            )
         for card in self.cards("ALL", "ANY"):
             check_card(*card)
 
     def cards(self, elset: str, material: str) -> Iterator[CardSpec]:
         """The cards of the section."""
-        rows: list = [[self.area, self.i11, 0, self.i22, self.j]]
+        rows: list = [[self.area, self.i11, self.i12, self.i22, self.j]]
         if self.n1 is not None:
             rows.append(list(self.n1))
         yield "BEAM SECTION", _parameters(self, elset, material, "GENERAL"), rows
         if self.shear is not None:
             yield "TRANSVERSE SHEAR STIFFNESS", {}, [list(self.shear)]
+        if self.centroid is not None:
+            yield "CENTROID", {}, [list(self.centroid)]
+        if self.shear_center is not None:
+            yield "SHEAR CENTER", {}, [list(self.shear_center)]
 
     @property
     def surface_radius(self) -> float:

@@ -9,6 +9,7 @@ from matplotlib.legend import Legend
 from ..results import Results
 from ..results.contact_history import FORCE_ROUND_OFF
 from ..wires.chains import Wire
+from .hidden_curves import show_hidden_curves
 
 # Curves that differ by less, relative to the largest value of all, are the same curve: what an iteration leaves
 _SAME_CURVE = 1e-6
@@ -18,7 +19,10 @@ _MAX_NAMES = 3
 
 
 def legend_beside(axes: Axes, **options: object) -> Legend:
-    """A legend at the right of the axes, where it hides no data."""
+    """A legend at the right of the axes, where it hides no data; curves that lie on each other are all seen."""
+    if show_hidden_curves(axes):
+        # room for three dashes
+        options.setdefault("handlelength", 3.5)
     return axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
 
 

@@ -113,6 +113,8 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     force_factor, force_unit = engineering(shown["force"], results.unit_labels["N"])
     factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
     force, ohms = force_factor * shown["force"], factor * shown["resistance"]
+    axes.set_xscale("log")
+    axes.set_yscale("log")
     ids, loading = np.unique(shown["id"]), np.ones(shown.n_rows, dtype=bool)
     if len(ids) <= MAX_LINES:
         for i, contact in enumerate(ids):
@@ -128,8 +130,6 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
             axes.figure.colorbar(dots, ax=axes, label="crossing angle [°]", pad=0.02)
         else:
             axes.scatter(force, ohms, s=10, color=_ONE_COLOUR, edgecolors="none")
-    axes.set_xscale("log")
-    axes.set_yscale("log")
     axes.margins(0.08)
     for axis in (axes.xaxis, axes.yaxis):
         _number_log_axis(axis)

@@ -209,8 +209,8 @@ def _save(figure: Figure, path: Path) -> None:
             # the labels reach farther
             spine.set_in_layout(False)
         if all(axes.get_subplotspec() is not None for axes in figure.axes):
-            # no colour bars: what is measured once is enough
-            layout = TightLayoutEngine(pad=_PAD)
+            # no colour bars: what is measured once is enough, which a rectangle would do twice
+            layout = TightLayoutEngine(pad=_PAD, rect=None)
             figure.set_layout_engine(layout)
         layout.execute(figure)
         figure.set_layout_engine("none")

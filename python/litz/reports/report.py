@@ -2,12 +2,15 @@
 
 import base64
 import html
+import io
 import math
 import tempfile
 import warnings
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+
+from PIL import Image
 
 from ..base.output import writing
 from ..errors import FileError
@@ -16,14 +19,18 @@ from ..pictures.plots import KINDS_IN_INCHES, begin_wires, plot
 from ..results import Results
 from ..results.contact_history import has_lines
 from ..results.scalars import default_scalar
-from ..viewer.data import WebData
-from ..viewer.page import evenly_chosen, page, viewer, viewer_style
+from ..viewer.packed import zipped
+from ..viewer.page import evenly_chosen, fitting_viewer, page, viewer_style
 from . import report_tables as tables
 from . import side_by_side
 from .surface_tables import surface_contacts_of_iterate, surfaces
 
-# Maximum size of the data of the three-dimensional view, as text before compression [bytes]
-_MAX_DATA = 30e6
+# Letters of a page, and at most of the data of its three-dimensional view; pictures have what is left, but not less than this
+_MAX_PAGE, _MAX_DATA, _MIN_PICTURES = 980_000, 300_000, 100_000
+# Increments that are looked at for that
+_MAX_INCREMENTS = 200
+# Quality, of 100, and scale of pictures that need more: drawn twice as large as the page shows them, they bear three quarters
+_SMALLER = ((75, 1.0), (75, 0.75), (60, 0.75), (60, 0.6), (40, 0.5))
 _MAX_DECK_LENGTH = 200_000
 _MAX_WIRES = 300
 # Results that several processes read at a time: larger ones take much memory in each [bytes]
@@ -31,6 +38,15 @@ _MAX_FORKED = 50e6
 # Size of pictures of the wires, and resolution of charts: twice what the page shows [pixels]
 _SIZE_OF_WIRES = (1200, 840)
 _PIXELS_PER_INCH = 110
+# Decks of more letters are compressed in the page, and read when they are looked at
+_SHORT_DECK = 20_000
+_OPEN_DECK = """\
+document.getElementById("litz-deck").addEventListener("toggle", async ({ target }) => {
+   const zipped = Uint8Array.from(atob(target.dataset.deck), (letter) => letter.charCodeAt(0));
+   const text = new Blob([zipped]).stream().pipeThrough(new DecompressionStream("gzip"));
+   target.querySelector("pre").textContent = await new Response(text).text();
+}, { once: true });
+"""
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1b1b1b; margin: 0 auto; max-width: 78rem; padding: 1.5rem; }
@@ -92,11 +108,11 @@ def _page(results: Results, processes: int) -> str:
     """The page as text."""
     # after an error processes may still write into it
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        finish = _begin_pictures(results, Path(folder), processes) if len(results.times) else list
+        finish = _begin_pictures(results, Path(folder), processes) if len(results.times) else None
         return _with_pictures(results, finish)
 
 
-def _with_pictures(results: Results, finish_pictures: Callable[[], list[str]]) -> str:
+def _with_pictures(results: Results, finish_pictures: Callable[[int], list[str]] | None) -> str:
     title = (results.heading.strip() or results.path.stem).splitlines()[0]
     sections = [
         f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(results.path.name)}, made by litz {html.escape(results.version)}</p>",
@@ -115,9 +131,12 @@ def _with_pictures(results: Results, finish_pictures: Callable[[], list[str]]) -
     if len(results.times):
         sections += [*_stage(results), *tables.line_contact(results)]
         sections += ["<h2>Worst contacts</h2>", tables.worst_contacts(results)]
-        sections += [*surfaces(results), *finish_pictures()]
-    sections += ["<h2>Deck</h2>", _deck(results)]
-    return page(f"{title} - litz", "\n".join(sections), _STYLE + viewer_style())
+        sections += surfaces(results)
+    deck = ["<h2>Deck</h2>", _deck(results)]
+    if finish_pictures is not None:
+        room = _MAX_PAGE - sum(map(len, [*sections, *deck]))
+        sections += finish_pictures(max(_MIN_PICTURES, room))
+    return page(f"{title} - litz", "\n".join([*sections, *deck]), _STYLE + viewer_style())
 
 
 def _later_run(results: Results) -> str:
@@ -148,7 +167,7 @@ def _failure(results: Results) -> list[str]:
     return found
 
 
-def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[[], list[str]]:
+def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[[int], list[str]]:
     """The pictures that this run has something for, which are drawn until they are asked for."""
     wanted: list[tuple[str, str, dict[str, str]]] = [
         ("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})
@@ -190,13 +209,26 @@ def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[
         results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES
     )
 
-    def finish() -> list[str]:
+    def finish(room: int) -> list[str]:
         finish_charts()
         finish_wires()
+        _make_smaller(paths, room)
         figures = [_figure(picture, text) for picture, (_, text, _) in zip(paths, wanted, strict=True)]
         return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
 
     return finish
+
+
+def _make_smaller(pictures: list[Path], room: int) -> None:
+    """Pictures of many wires have much detail: all are saved with less quality until the page has room for them."""
+    drawn = [picture.read_bytes() for picture in pictures]
+    for quality, scale in _SMALLER:
+        if sum(4 * picture.stat().st_size / 3 for picture in pictures) <= room:
+            return
+        for picture, original in zip(pictures, drawn, strict=True):
+            with Image.open(io.BytesIO(original)) as image:
+                size = round(scale * image.width), round(scale * image.height)
+                image.resize(size, Image.Resampling.LANCZOS).save(picture, "WEBP", quality=quality, method=2)
 
 
 def _figure(picture: Path, text: str) -> str:
@@ -214,8 +246,7 @@ def _sizes(kind: str) -> tuple[int, int]:
 def _stage(results: Results) -> list[str]:
     """The interactive model, with as many increments as the page can hold."""
     n = len(results.times)
-    size = len(WebData(results, [n - 1]).increment(0))
-    picked = evenly_chosen(n, max(1, int(_MAX_DATA / size)))
+    stage, picked = fitting_viewer(results, evenly_chosen(n, _MAX_INCREMENTS), _MAX_DATA)
     note = (
         f"{len(picked)} of {n} increments are in this page; <code>litz view {html.escape(results.path.name)}</code> shows all."
         if len(picked) < n
@@ -223,7 +254,7 @@ def _stage(results: Results) -> list[str]:
     )
     return [
         f'<h2>To turn and look at</h2>\n<p class="note">{note}</p>\n<div class="stage">',
-        viewer(WebData(results, picked)),
+        stage,
         "</div>",
     ]
 
@@ -236,4 +267,9 @@ def _deck(results: Results) -> str:
     if len(deck) > _MAX_DECK_LENGTH:
         return f'<p class="note">The deck has {len(deck) / 1e6:.1f} MB: it is in {html.escape(results.path.name)}.</p>'
     n_lines = deck.count("\n") + 1
-    return f"<details><summary>{n_lines} lines</summary><pre>{html.escape(deck)}</pre></details>"
+    if len(deck) < _SHORT_DECK:
+        return f"<details><summary>{n_lines} lines</summary><pre>{html.escape(deck)}</pre></details>"
+    return (
+        f'<details id="litz-deck" data-deck="{zipped(deck.encode())}"><summary>{n_lines} lines</summary><pre></pre></details>\n'
+        f'<script type="text/javascript">\n{_OPEN_DECK}</script>'
+    )

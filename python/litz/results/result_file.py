@@ -44,6 +44,8 @@ class ResultFile:
         self.path = _find(Path(path))
         self._tables: dict[str, tuple[int, Table]] = {}
         self._kept: h5py.File | None = None
+        self._kept_count: int | None = None
+        self._kept_places: dict[str, tuple[h5py.Dataset, np.ndarray, int]] = {}
         with self._open() as file:
             version = int(file["litz"].attrs["format_version"])
             if version > _FORMAT_VERSION:
@@ -74,7 +76,8 @@ class ResultFile:
             try:
                 yield
             finally:
-                self._kept = None
+                self._kept = self._kept_count = None
+                self._kept_places.clear()
 
     def _open(self) -> contextlib.AbstractContextManager[h5py.File]:
         if self._kept is not None:
@@ -308,15 +311,23 @@ class ResultFile:
         if name not in self._attributes:
             raise KeyError(unknown_name("field", name, self._attributes))
         with self._open() as file:
-            group, n_rows = (
-                ("PointData", len(self.nodes)) if name in self.point_fields else ("CellData", len(self.elements))
-            )
-            data = file["VTKHDF"][group][name]
-            starts = file[f"VTKHDF/Steps/{group}Offsets/{name}"]
+            data, starts, n_rows = self._place_of(name, file)
             if increment is not None:
                 start = starts[self._checked(increment, file)]
                 return data[start : start + n_rows]
             return np.array([data[start : start + n_rows] for start in starts[: self._n_whole(file)]])
+
+    def _place_of(self, name: str, file: h5py.File) -> tuple[h5py.Dataset, np.ndarray, int]:
+        """A field of all increments, its first row at each, and its number of rows."""
+        if file is self._kept and name in self._kept_places:
+            return self._kept_places[name]
+        group, n_rows = (
+            ("PointData", len(self.nodes)) if name in self.point_fields else ("CellData", len(self.elements))
+        )
+        found = file["VTKHDF"][group][name], file[f"VTKHDF/Steps/{group}Offsets/{name}"][:], n_rows
+        if file is self._kept:
+            self._kept_places[name] = found
+        return found
 
     def positions(self, increment: int = -1) -> np.ndarray:
         """Current positions of the nodes, (n_nodes, 3) [m]."""
@@ -408,9 +419,13 @@ class ResultFile:
 
     def _n_whole(self, file: h5py.File) -> int:
         """Number of increments in the result file that are complete in all files."""
+        if file is self._kept and self._kept_count is not None:
+            return self._kept_count
         n, last = _n_steps(file), self._last_whole(file)
         while last is not None and n > 1 and _numbers_of(file, n - 1) > last:
             n -= 1
+        if file is self._kept:
+            self._kept_count = n
         return n
 
     def _whole(self, table: Table) -> Table:

@@ -1,7 +1,5 @@
 """Results as the viewer in the browser reads them: the model, and the data of one increment."""
 
-import base64
-import json
 import math
 from functools import cached_property
 
@@ -19,12 +17,19 @@ from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalar
 from ..results.surface_patches import Patch, surface_patches
 from ..results.zone_lines import ZoneLines, largest_force_per_length, zone_lines
 from ..wires.curves import element_curves
+from .packed import Numbers, as_part, as_text, resolution
 
 _PLACE_IN_TIME = ("step", "increment", "time")
 _COLOUR_MAPS = ("viridis", "coolwarm")
 _DIGITS = 8
+# Of those inside a page
+_DIGITS_OF_PAGES = 5
+# What can be seen of the thinnest wire, in its radius
+_VISIBLE = 1 / 200
 # Largest power of ten that floating-point numbers have exactly
 _EXACT_POWER = 22
+# Components of directions that can be told from each other
+_TURN = 1 / 1024
 # Radii of the lines of contact and of the marks at their ends, in radii of the thinner wire
 _LINE_RADIUS, _END_RADIUS = 0.3, 0.55
 # Length of a mark, in distances of places
@@ -54,7 +59,39 @@ class WebData:
         self._patches = surface_patches(results, self.increments)
 
     def model(self) -> str:
-        """What holds for all increments."""
+        """What holds for all increments, with all digits."""
+        return as_text(self._model())
+
+    def increment(self, place: int) -> str:
+        """One of the increments, counted from 0 among those that can be looked at, with all digits."""
+        return as_text(self._increment(place, _DIGITS))
+
+    def packed_model(self) -> str:
+        """The model as a page has it inside."""
+        return as_part(self._model())
+
+    def packed_increment(self, place: int) -> str:
+        """An increment as a page has it inside: displacements of wires, spots and lines instead of their places."""
+        data = self._increment(place, _DIGITS_OF_PAGES)
+        data["curves"] = self._moved(data["curves"], self._packed(self._rest))
+        for part in (data["spots"], data["lines"]):
+            part["now"] = self._moved(part["now"], part["rest"].values)
+        return as_part(data)
+
+    def _moved(self, now: Numbers, rest: np.ndarray) -> Numbers:
+        moved = np.asarray(now.values, dtype=float) - rest
+        return Numbers(moved, step=resolution(moved, self._visible))
+
+    @cached_property
+    def _visible(self) -> float:
+        """The smallest length that can be seen."""
+        radii = self._results.radius
+        return float(_VISIBLE * radii[radii > 0].min(initial=math.inf)) if (radii > 0).any() else 0.0
+
+    def _places(self, points: np.ndarray) -> Numbers:
+        return Numbers(points, step=self._visible)
+
+    def _model(self) -> dict:
         results, picked = self._results, self.increments
         places = np.concatenate([results.positions(k) for k in (*picked[:: max(1, len(picked) // 20)], picked[-1])])
         margin = 1.5 * results.radius.max()
@@ -62,44 +99,41 @@ class WebData:
         camera = aim(shown, margin, 1.4)
         known = list(self._ranges.values())
         wanted = default_scalar(results, picked[-1])
-        return _json(
-            {
-                "units": results.unit_labels,
-                "heading": results.heading.strip(),
-                "steps": results.steps[picked].tolist(),
-                "increments": results.increments[picked].tolist(),
-                "times": results.times[picked].tolist(),
-                "n_nodes": len(results.nodes),
-                "n_elements": len(results.elements),
-                "elements": _base64(results.elements, np.int32),
-                "radii": _base64(results.radius, np.float32),
-                "rest": _base64(self._packed(self._rest), np.float32),
-                "radius": float(np.linalg.norm(shown - self._centre, axis=1).max() + margin),
-                "view": {
-                    "toward": camera.toward.tolist(),
-                    "up": camera.up.tolist(),
-                    # what is seen around the middle of the model
-                    "half": (np.abs(camera.turn(shown - self._centre))[:, :2].max(axis=0) + margin).tolist(),
-                },
-                "scalars": known,
-                "scalar": wanted if wanted in self._ranges else next(iter(self._ranges)),
-                "colours": {name: _colour_table(mpl.colormaps[name]) for name in _COLOUR_MAPS}
-                | {"zones": _colour_table(line_colours())},
-                "surfaces": [self._surface(patch) for patch in self._patches],
-                "ledger": _described_columns(results.contact_units),
-                "surface_ledger": _described_columns(results.surface_contacts.units),
-                "largest": self._largest(),
-                "zones": {
-                    "columns": _described_columns(self._zone_units),
-                    "title": "force per length",
-                    "unit": self._zone_units["force_per_length"],
-                    "limits": [0.0, largest_force_per_length(results)],
-                },
-            }
-        )
+        return {
+            "units": results.unit_labels,
+            "heading": results.heading.strip(),
+            "steps": results.steps[picked].tolist(),
+            "increments": results.increments[picked].tolist(),
+            "times": results.times[picked].tolist(),
+            "n_nodes": len(results.nodes),
+            "n_elements": len(results.elements),
+            "elements": Numbers(results.elements, np.int32, 1.0),
+            "radii": Numbers(results.radius),
+            "rest": self._places(self._packed(self._rest)),
+            "radius": float(np.linalg.norm(shown - self._centre, axis=1).max() + margin),
+            "view": {
+                "toward": camera.toward.tolist(),
+                "up": camera.up.tolist(),
+                # what is seen around the middle of the model
+                "half": (np.abs(camera.turn(shown - self._centre))[:, :2].max(axis=0) + margin).tolist(),
+            },
+            "scalars": known,
+            "scalar": wanted if wanted in self._ranges else next(iter(self._ranges)),
+            "colours": {name: _colour_table(mpl.colormaps[name]) for name in _COLOUR_MAPS}
+            | {"zones": _colour_table(line_colours())},
+            "surfaces": [self._surface(patch) for patch in self._patches],
+            "ledger": _described_columns(results.contact_units),
+            "surface_ledger": _described_columns(results.surface_contacts.units),
+            "largest": self._largest(),
+            "zones": {
+                "columns": _described_columns(self._zone_units),
+                "title": "force per length",
+                "unit": self._zone_units["force_per_length"],
+                "limits": [0.0, largest_force_per_length(results)],
+            },
+        }
 
-    def increment(self, place: int) -> str:
-        """One of the increments, counted from 0 among those that can be looked at."""
+    def _increment(self, place: int, digits: int) -> dict:
         results, index = self._results, self.increments[place]
         displacement, rotation = (results.field(name, index) for name in ("displacement", "rotation"))
         curves = element_curves(results.nodes, displacement, rotation, self._wires, len(results.elements))
@@ -109,25 +143,21 @@ class WebData:
         zones = contact_zones(places, results.unit_labels)
         fields = {name for scalar in self._ranges.values() for name in scalar["fields"]}
         now, rest = (all_spots(results, contacts, on_surfaces, each) for each in (curves, self._rest))
-        return _json(
-            {
-                "curves": _base64(self._packed(curves), np.float32),
-                "fields": {name: _base64(scalar_field(results, name, index), np.float32) for name in sorted(fields)},
-                "spots": {
-                    "rest": _base64(rest.places - self._centre, np.float32),
-                    "now": _base64(now.places - self._centre, np.float32),
-                    "normals": _base64(now.normals, np.float32),
-                    "radii": _base64(now.radii, np.float32),
-                    "tangents": _base64(now.tangents, np.float32),
-                },
-                "contacts": _with_surfaces(contacts, on_surfaces),
-                "surfaces": [
-                    _base64(patch.moved(results, index) - self._centre, np.float32) for patch in self._patches
-                ],
-                "zones": {name: _column(_counted_from_one(name, values)) for name, values in zones.items()},
-                "lines": self._lines(places, curves),
-            }
-        )
+        return {
+            "curves": self._places(self._packed(curves)),
+            "fields": {name: Numbers(scalar_field(results, name, index)) for name in sorted(fields)},
+            "spots": {
+                "rest": self._places(rest.places - self._centre),
+                "now": self._places(now.places - self._centre),
+                "normals": Numbers(now.normals, step=_TURN),
+                "radii": Numbers(now.radii),
+                "tangents": Numbers(now.tangents, step=_TURN),
+            },
+            "contacts": _with_surfaces(contacts, on_surfaces, digits),
+            "surfaces": [self._places(patch.moved(results, index) - self._centre) for patch in self._patches],
+            "zones": {name: _column(_counted_from_one(name, values), digits) for name, values in zones.items()},
+            "lines": self._lines(places, curves),
+        }
 
     def _lines(self, places: ContactPlaces, curves: tuple[np.ndarray, np.ndarray]) -> dict:
         """The pieces of the zones: their curves, values at both ends, radii, and the row of the zone of each."""
@@ -142,16 +172,16 @@ class WebData:
         size = np.concatenate([np.full(len(pieces), _LINE_RADIUS), np.full(len(ends), _END_RADIUS)])
         value = lines.value
 
-        def straight(points: np.ndarray) -> str:
+        def straight(points: np.ndarray) -> Numbers:
             begin, along = points[first] - self._centre, part * (points[second] - points[first])
-            return _base64(np.stack([begin, begin + along, along / 2, along / 2], axis=1), np.float32)
+            return self._places(np.stack([begin, begin + along, along / 2, along / 2], axis=1))
 
         return {
             "rest": straight(rest.places),
             "now": straight(now.places),
-            "values": _base64(np.stack([value[first], value[second]], axis=1), np.float32),
-            "radii": _base64(size * radius[first], np.float32),
-            "zones": _base64(lines.zone[first], np.int32),
+            "values": Numbers(np.stack([value[first], value[second]], axis=1)),
+            "radii": Numbers(size * radius[first]),
+            "zones": Numbers(lines.zone[first], np.int32, 1.0),
             # the marks are between two wires, whose fronts are not farther away than this
             "before": float(_WIRES_BEFORE * now.radii.max(initial=0.0)),
         }
@@ -195,9 +225,9 @@ class WebData:
     def _surface(self, patch: Patch) -> dict:
         return {
             "name": patch.surface.name,
-            "rest": _base64(patch.points - self._centre, np.float32),
-            "quads": _base64(patch.quads, np.int32),
-            "rim": _base64(patch.rim, np.int32),
+            "rest": self._places(patch.points - self._centre),
+            "quads": Numbers(patch.quads, np.int32, 1.0),
+            "rim": Numbers(patch.rim, np.int32, 1.0),
         }
 
     def _packed(self, curves: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
@@ -218,12 +248,12 @@ def _described_columns(units: dict[str, str]) -> list[dict[str, str]]:
     return [{"name": name, "unit": unit} for name, unit in units.items() if name not in _PLACE_IN_TIME]
 
 
-def _with_surfaces(contacts: Table, on_surfaces: Table) -> dict[str, list]:
+def _with_surfaces(contacts: Table, on_surfaces: Table, digits: int) -> dict[str, list]:
     """Columns of the crossings, and behind them of the contacts with rigid surfaces; None where one has no value."""
-    columns = {name: _column(values) for name, values in contacts.items()}
+    columns = {name: _column(values, digits) for name, values in contacts.items()}
     if not on_surfaces.n_rows:
         return columns
-    more = {name: _column(values) for name, values in on_surfaces.items()}
+    more = {name: _column(values, digits) for name, values in on_surfaces.items()}
     elements, names = more["element"], more["surface"]
     more |= {"element_1": elements, "element_2": names, "current": [0.0] * len(names)}
     more["id"] = [f"{name}:{element}" for name, element in zip(names, elements, strict=True)]
@@ -248,38 +278,30 @@ def _counted_from_one(name: str, values: np.ndarray) -> np.ndarray:
     return values + 1 if name.startswith("wire_") else values
 
 
-def _column(values: np.ndarray) -> list:
+def _column(values: np.ndarray, digits: int) -> list:
     """Numbers with few digits; JSON has no infinity: the viewer shows text unchanged, and a dash for None."""
     if values.dtype.kind in "iU":
         return values.tolist()
-    column = _rounded(values).tolist()
+    column = _rounded(values, digits).tolist()
     for row in np.flatnonzero(~np.isfinite(values)).tolist():
         column[row] = None if math.isnan(column[row]) else "∞" if column[row] > 0 else "-∞"
     return column
 
 
-def _rounded(values: np.ndarray) -> np.ndarray:
-    """Numbers rounded to `_DIGITS` significant digits, which is how many Python writes of them.
+def _rounded(values: np.ndarray, digits: int) -> np.ndarray:
+    """Numbers rounded to significant digits, which is how many Python writes of them.
 
     A whole number times or over a power of ten that is exact is the number nearest to its decimals; numbers so small or large
     that the power is not are left as they are.
     """
     known = np.isfinite(values) & (values != 0)
     size = np.log10(np.abs(values), out=np.zeros(len(values)), where=known)
-    shift = _DIGITS - 1 - np.floor(size)
+    shift = digits - 1 - np.floor(size)
     known &= np.abs(shift) <= _EXACT_POWER
     shift = np.where(known, shift, 0.0)
     up, down = 10.0 ** np.maximum(shift, 0), 10.0 ** np.maximum(-shift, 0)
     return np.where(known, np.rint(values * up / down) / up * down, values)
 
 
-def _base64(values: np.ndarray, kind: type) -> str:
-    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()
-
-
-def _colour_table(colours: mpl.colors.Colormap) -> str:
-    return _base64(colours(np.arange(256), bytes=True), np.uint8)
-
-
-def _json(data: dict) -> str:
-    return json.dumps(data, separators=(",", ":"), allow_nan=False)
+def _colour_table(colours: mpl.colors.Colormap) -> Numbers:
+    return Numbers(colours(np.arange(256), bytes=True), np.uint8, 1.0)

@@ -1,14 +1,14 @@
 """The HTML pages of the viewer and the report: self-contained."""
 
-import base64
-import gzip
 import html
 import json
 from pathlib import Path
 
 import numpy as np
 
+from ..results import Results
 from .data import WebData
+from .packed import zipped
 
 # Modules that import each other by these names
 _MODULES = {
@@ -19,8 +19,6 @@ _MODULES = {
     },
 }
 _ICON = "data:,"
-# Of gzip: more takes longer and gains nothing
-_COMPRESSION = 6
 
 
 def page(title: str, body: str, style: str = "") -> str:
@@ -54,25 +52,38 @@ def viewer_style() -> str:
 
 
 def evenly_chosen(n: int, max_count: int) -> list[int]:
-    """At most `max_count` of the numbers from 0 to n - 1, evenly spaced, with the first and the last."""
-    return np.unique(np.linspace(0, n - 1, max(1, min(n, max_count)))[::-1].round().astype(int)).tolist()
+    """At most `max_count` of the numbers from 0 to n - 1, evenly spaced, with the last and, if there are more, the first."""
+    return np.unique(np.linspace(n - 1, 0, max(1, min(n, max_count))).round().astype(int)).tolist()
+
+
+def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tuple[str, list[int]]:
+    """The viewer with as many of the increments as fit into a size in letters, evenly chosen, at least the last one."""
+    while True:
+        parts = _parts(WebData(results, increments))
+        size = sum(map(len, parts.values()))
+        if size <= max_size or len(increments) == 1:
+            return f"{_text('viewer.html')}{_inside(parts)}{_scripts()}", increments
+        fewer = min(len(increments) - 1, max(1, int(len(increments) * max_size / size)))
+        increments = [increments[place] for place in evenly_chosen(len(increments), fewer)]
 
 
 def _embedded(data: WebData) -> str:
-    parts = {"model": data.model()}
-    parts |= {f"increment-{place}": data.increment(place) for place in range(len(data.increments))}
-    return "".join(
-        f'<script type="text/plain" id="litz-{name}">{_zipped(text)}</script>\n' for name, text in parts.items()
-    )
+    return _inside(_parts(data))
 
 
-def _zipped(text: str) -> str:
-    return base64.b64encode(gzip.compress(text.encode(), _COMPRESSION, mtime=0)).decode()
+def _parts(data: WebData) -> dict[str, str]:
+    parts = {"model": data.packed_model()}
+    parts |= {f"increment-{place}": data.packed_increment(place) for place in range(len(data.increments))}
+    return parts
+
+
+def _inside(parts: dict[str, str]) -> str:
+    return "".join(f'<script type="text/plain" id="litz-{name}">{text}</script>\n' for name, text in parts.items())
 
 
 def _scripts() -> str:
     """All modules, compressed, and what turns them into addresses that hold their own text, which also a local page can load."""
-    modules = _zipped(json.dumps({name: _text(file) for name, file in _MODULES.items()}))
+    modules = zipped(json.dumps({name: _text(file) for name, file in _MODULES.items()}).encode())
     loader = _text("loader.js")
     return (
         f'<script type="text/plain" id="litz-modules">{modules}</script>\n'

@@ -5,14 +5,19 @@ const MAX_KEPT = 2e6;
 
 /** The model, and a function that returns the data of an increment by its index. */
 export async function openResults() {
-   const read = document.getElementById("litz-model") ? readEmbedded : fetchFromServer;
+   const embedded = document.getElementById("litz-model") !== null;
+   const read = embedded ? readEmbedded : fetchFromServer;
    const model = await read("model");
+   const load = async (index) => {
+      const data = await read(`increment-${index}`);
+      return embedded ? placed(data, model) : data;
+   };
    const cache = new Map();
    const most = Math.min(64, Math.max(2, Math.floor(MAX_KEPT / (model.n_elements + model.n_nodes))));
    const increment = (index) => {
       if (!cache.has(index)) {
          if (cache.size >= most) cache.delete(cache.keys().next().value);
-         cache.set(index, read(`increment-${index}`));
+         cache.set(index, load(index));
       }
       return cache.get(index);
    };
@@ -22,7 +27,39 @@ export async function openResults() {
 async function readEmbedded(name) {
    const zipped = bytes(document.getElementById(`litz-${name}`).textContent.trim());
    const stream = new Blob([zipped]).stream().pipeThrough(new DecompressionStream("gzip"));
-   return new Response(stream).json();
+   return unpack(await new Response(stream).arrayBuffer());
+}
+
+/** A part of a page: the length of its JSON, the JSON, and its arrays, which become typed ones. */
+export function unpack(buffer) {
+   const start = 4 + new DataView(buffer).getUint32(0, true);
+   const arrays = new Uint8Array(buffer, start);
+   return JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, start - 4)), (_, value) =>
+      value?.planes ? numbers(value, arrays) : value);
+}
+
+/** Numbers of steps, from the differences down each column: 0, 1, 2, 3, ... are 0, -1, 1, -2, ...; low bytes come first. */
+function numbers({ rows, steps, planes, at, none }, arrays) {
+   const columns = steps.length;
+   const values = new Float32Array(rows * columns);
+   for (let column = 0; column < columns; column++) {
+      let count = 0;
+      for (let row = 0; row < rows; row++) {
+         let folded = 0;
+         for (let plane = planes; plane--;) folded = 256 * folded + arrays[at + (plane * columns + column) * rows + row];
+         count += folded % 2 ? -(folded + 1) / 2 : folded / 2;
+         values[row * columns + column] = count === none ? NaN : count * steps[column];
+      }
+   }
+   return values;
+}
+
+/** An increment of a page with places instead of displacements. */
+function placed(data, model) {
+   const add = (moved, rest) => moved.map((value, k) => value + rest[k]);
+   data.curves = add(data.curves, model.rest);
+   for (const part of [data.spots, data.lines]) part.now = add(part.now, part.rest);
+   return data;
 }
 
 async function fetchFromServer(name) {
@@ -31,8 +68,9 @@ async function fetchFromServer(name) {
    return response.json();
 }
 
-/** Decode base64 text into bytes. */
+/** Decode base64 text into bytes; numbers of a page are decoded already. */
 export function bytes(text) {
+   if (typeof text !== "string") return Uint8Array.from(text);
    const letters = atob(text);
    const values = new Uint8Array(letters.length);
    for (let k = 0; k < letters.length; k++) values[k] = letters.charCodeAt(k);
@@ -41,11 +79,13 @@ export function bytes(text) {
 
 /** Decode base64 text into 32-bit floats. */
 export function floats(text) {
+   if (typeof text !== "string") return text;
    return new Float32Array(bytes(text).buffer);
 }
 
 /** Decode base64 text into 32-bit integers. */
 export function integers(text) {
+   if (typeof text !== "string") return Int32Array.from(text);
    return new Int32Array(bytes(text).buffer);
 }
 
