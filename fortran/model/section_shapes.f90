@@ -235,7 +235,7 @@ contains
          + poisson*(11 + 66*m + 135*m**2 + 90*m**3) + 30*n**2*(m + m**2) + 5*poisson*n**2*(8*m + 9*m**2))
       horizontal = 2*b*flange/shape%area
       shape%shear_factor(1) = 10*(1 + poisson)/(12 + 11*poisson)*horizontal
-      shape%corners = corners_of([b, h]/2)
+      allocate (shape%corners, source=corners_of([b, h]/2))
    end function i_section
 
 end module litz_section_shapes

@@ -141,7 +141,8 @@ STRAND = litz.Material(
 
 def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     model, lower, upper, step = crossed(friction=litz.Friction(0.3, elastic_slip=1e-6), axis="LINEAR")
-    general = litz.General(1e-6, 1e-13, 2e-13, 3e-13, n1=(0, 0, 1), shear=(1e4, 2e4), contact_radius=5e-4)
+    beside = {"centroid": (1e-4, 0), "shear_center": (2e-4, -1e-4)}
+    general = litz.General(1e-6, 1e-13, 2e-13, 3e-13, n1=(0, 0, 1), shear=(1e4, 2e4), contact_radius=5e-4, **beside)
     side = model.wire("SIDE", (0.2, 0, 0), (0.3, 0, 0), elements=2, section=general, material=litz.STEEL, element="B31")
     thick = litz.Circular(1e-3, contact_radius=2e-3, conduction="CURRENT LENGTH")
     more = model.wire("MORE", (0.2, 1, 0), (0.3, 1, 0), elements=2, section=thick, material=STRAND)

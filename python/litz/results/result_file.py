@@ -15,6 +15,7 @@ from ..base.names import unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
+from .found_files import find_result_file
 from .ledger import read_ledger
 from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 _FORMAT_VERSION = 1
 _AUDIT = ("force_balance", "moment_balance", "current_balance", "power_balance", "penetration_ratio")
 _GROUPS = ("PointData", "CellData")
-#: Ends of the names of files that runs and exports write beside the result file of the wires
-_BESIDE_RUNS, _BESIDE_EXPORTS = ("_contacts", "_unconverged"), ("rigid", "surfaces", "zones")
 
 
 class ResultFile:
@@ -41,7 +40,7 @@ class ResultFile:
     """
 
     def __init__(self, path: str | PathLike[str]):
-        self.path = _find(Path(path))
+        self.path = find_result_file(Path(path))
         self._tables: dict[str, tuple[int, Table]] = {}
         self._kept: h5py.File | None = None
         self._kept_count: int | None = None
@@ -464,36 +463,6 @@ class ResultFile:
         if table not in tables:
             raise ValueError(unknown_name("table", table, tables))
         return getattr(self, table).to_pandas()
-
-
-def _find(path: Path) -> Path:
-    """Find the result file of the wires for a path."""
-    if path.is_dir():
-        found = sorted(file for file in path.glob("*.vtkhdf") if not _is_beside_another(file))
-        if len(found) == 1:
-            return found[0]
-        what = "several: " + ", ".join(file.name for file in found) if found else "none"
-        raise FileError(f"the directory {path} should have one result file (.vtkhdf); there are {what}")
-    if path.suffix == ".vtkhdf":
-        candidates = [path]
-    elif path.suffix == ".inp":
-        candidates = [path.with_suffix(".vtkhdf"), Path(path.stem + ".vtkhdf")]
-    else:
-        candidates = [path.with_name(path.name + ".vtkhdf")]
-    for candidate in candidates:
-        if candidate.is_file():
-            return candidate
-    raise FileError(
-        f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
-    )
-
-
-def _is_beside_another(file: Path) -> bool:
-    """It is no result file of wires, but has been written beside one."""
-    if file.stem.endswith(_BESIDE_RUNS):
-        return True
-    stem, _, ending = file.stem.rpartition("_")
-    return ending in _BESIDE_EXPORTS and file.with_name(f"{stem}.vtkhdf").exists()
 
 
 def _n_steps(file: h5py.File) -> int:

@@ -1,0 +1,38 @@
+"""Which file is meant by a path: the result file of the wires, its directory, or the deck that was run."""
+
+from pathlib import Path
+
+from ..errors import FileError
+
+#: Ends of the names of files that runs and exports write beside the result file of the wires
+_BESIDE_RUNS, _BESIDE_EXPORTS = ("_contacts", "_unconverged"), ("rigid", "surfaces", "zones")
+
+
+def find_result_file(path: Path) -> Path:
+    """Find the result file of the wires for a path."""
+    if path.is_dir():
+        found = sorted(file for file in path.glob("*.vtkhdf") if not _is_beside_another(file))
+        if len(found) == 1:
+            return found[0]
+        what = "several: " + ", ".join(file.name for file in found) if found else "none"
+        raise FileError(f"the directory {path} should have one result file (.vtkhdf); there are {what}")
+    if path.suffix == ".vtkhdf":
+        candidates = [path]
+    elif path.suffix == ".inp":
+        candidates = [path.with_suffix(".vtkhdf"), Path(path.stem + ".vtkhdf")]
+    else:
+        candidates = [path.with_name(path.name + ".vtkhdf")]
+    for candidate in candidates:
+        if candidate.is_file():
+            return candidate
+    raise FileError(
+        f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
+    )
+
+
+def _is_beside_another(file: Path) -> bool:
+    """It is no result file of wires, but has been written beside one."""
+    if file.stem.endswith(_BESIDE_RUNS):
+        return True
+    stem, _, ending = file.stem.rpartition("_")
+    return ending in _BESIDE_EXPORTS and file.with_name(f"{stem}.vtkhdf").exists()
