@@ -225,7 +225,7 @@ contains
    pure subroutine add_properties(table)
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
-      type(field_spec_t) :: of_temperature
+      type(field_spec_t) :: of_temperature, from_node(2)
 
       of_temperature = real_field('T', 'K', 'temperature; ascending. Linear between two lines, constant outside the'// &
          ' table', required=.false.)
@@ -281,14 +281,15 @@ contains
          real_field('GA3', 'N', 'for shear along n2', limit_positive)])
       call finish(table, k)
 
+      from_node = [real_field('x1', 'm', 'from the node along n1'), real_field('x2', 'm', 'along n2')]
       call begin(k, 'CENTROID', place_model, 'Centroid of a GENERAL section, where axial forces act; at the node'// &
          ' without it.', after='BEAM SECTION')
-      call k%add_data([real_field('x1', 'm', 'from the node along n1'), real_field('x2', 'm', 'along n2')])
+      call k%add_data(from_node)
       call finish(table, k)
       call begin(k, 'SHEAR CENTER', place_model, 'Shear centre of a GENERAL section, about which it twists; at'// &
          ' the node'// &
          ' without it.', after='BEAM SECTION')
-      call k%add_data([real_field('x1', 'm', 'from the node along n1'), real_field('x2', 'm', 'along n2')])
+      call k%add_data(from_node)
       call finish(table, k)
 
       call begin(k, 'AMPLITUDE', place_both, 'A factor over time, linear between the points and constant beyond them.')

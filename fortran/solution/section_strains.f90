@@ -50,8 +50,9 @@ contains
          associate (section => problem%model%sections(problem%model%element_section(e)))
             ! its corners lie farthest out
             if (allocated(section%corners)) then
-               bends = [maxval(matmul([-curvature(2), curvature(1)], section%corners)), &
-                  minval(matmul([-curvature(2), curvature(1)], section%corners))]
+               associate (at_corners => matmul([-curvature(2), curvature(1)], section%corners))
+                  bends = [maxval(at_corners), minval(at_corners)]
+               end associate
                return
             end if
             radius = problem%elements%radius(e)

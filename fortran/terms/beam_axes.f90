@@ -128,9 +128,7 @@ contains
       real(dp), intent(in) :: values(6)
       real(dp) :: turned(6)
 
-      turned = values
-      turned(2:3) = matmul(axes%turn, values(2:3))
-      turned(5:6) = matmul(axes%turn, values(5:6))
+      turned = turned_by(axes%turn, values)
    end function along_section_axes
 
    !> The other way round.
@@ -140,10 +138,19 @@ contains
       real(dp), intent(in) :: values(6)
       real(dp) :: turned(6)
 
-      turned = values
-      turned(2:3) = matmul(values(2:3), axes%turn)
-      turned(5:6) = matmul(values(5:6), axes%turn)
+      turned = turned_by(transpose(axes%turn), values)
    end function along_principal_axes
+
+   !> What lies across the axis, turned.
+   pure function turned_by(turn, values) result(turned)
+      !> Rotation of the section (2, 2)
+      real(dp), intent(in) :: turn(2, 2)
+      !> As N, Q2, Q3, T, M2, M3 (6)
+      real(dp), intent(in) :: values(6)
+      real(dp) :: turned(6)
+
+      turned = [values(1), matmul(turn, values(2:3)), values(4), matmul(turn, values(5:6))]
+   end function turned_by
 
    !> Section forces at a node with T at the shear centre and moments at the centroid instead of all at the node.
    pure function at_section_centres(axes, forces) result(moved)

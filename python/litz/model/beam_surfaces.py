@@ -16,7 +16,7 @@ def surfaces_as_sets(cards: list[Card]) -> Iterator[tuple[int, Card | None, str]
     A surface of beams without a side is that around them. Where an element set has its name already and other members, the new
     set has a name of its own, also in the contact pairs, which are changed.
     """
-    taken = {str(card[name]).upper() for card in cards for name in ("ELSET",) if name in card}
+    taken = {str(card["ELSET"]).upper() for card in cards if "ELSET" in card}
     for place, card in enumerate(cards):
         if not card.is_a("SURFACE"):
             continue

@@ -63,10 +63,10 @@ def _covers(upper: NDArray, lower: NDArray, width: float) -> bool:
     """Whether the upper curve is no farther from the lower one than that, over the part of its length that counts."""
     place = np.linspace(upper[0, 0], upper[-1, 0], _PLACES)
     one, other = (np.interp(place, *curve.T) for curve in (upper, lower))
-    # where curves are steep they are nearer to each other than they are above each other
-    distance = np.abs(one - other) / np.hypot(1.0, np.gradient(one, place))
-    shared = (place >= lower[0, 0]) & (place <= lower[-1, 0])
     length = np.hypot(1.0, np.gradient(one, place))
+    # where curves are steep they are nearer to each other than they are above each other
+    distance = np.abs(one - other) / length
+    shared = (place >= lower[0, 0]) & (place <= lower[-1, 0])
     with np.errstate(invalid="ignore"):
         covered = shared & (distance <= width)
     known = np.isfinite(one)

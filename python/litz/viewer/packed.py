@@ -49,12 +49,13 @@ class Numbers:
         """Description and bytes."""
         values = np.asarray(self.values, dtype=float)
         values = values.reshape(len(values), math.prod(values.shape[1:]))
-        largest = np.abs(np.where(np.isfinite(values), values, 0.0)).max(axis=0, initial=0.0)
+        known = np.isfinite(values)
+        shown = np.where(known, values, 0.0)
+        largest = np.abs(shown).max(axis=0, initial=0.0)
         steps = largest / _STEPS if self.step is None else np.maximum(self.step, largest / _MAX_STEPS)
         steps[steps == 0] = 1.0
-        known = np.isfinite(values)
         described: dict[str, Any] = {"rows": len(values), "steps": [float(f"{step:.9g}") for step in steps.tolist()]}
-        counts = np.rint(np.where(known, values, 0.0) / described["steps"]).astype(np.int64)
+        counts = np.rint(shown / described["steps"]).astype(np.int64)
         if not known.all():
             described["none"] = int(np.abs(counts).max()) + 1
             counts[~known] = described["none"]

@@ -58,13 +58,20 @@ def evenly_chosen(n: int, max_count: int) -> list[int]:
 
 def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tuple[str, list[int]]:
     """The viewer with as many of the increments as fit into a size in letters, evenly chosen, at least the last one."""
-    while True:
-        parts = _parts(WebData(results, increments))
-        size = sum(map(len, parts.values()))
-        if size <= max_size or len(increments) == 1:
-            return f"{_text('viewer.html')}{_inside(parts)}{_scripts()}", increments
+    last = increments[-1:]
+    parts = _parts(WebData(results, last))
+    # of many contacts the others need not be looked at
+    if sum(map(len, parts.values())) > max_size:
+        increments = last
+    while len(increments) > 1:
+        more = _parts(WebData(results, increments))
+        size = sum(map(len, more.values()))
+        if size <= max_size:
+            parts = more
+            break
         fewer = min(len(increments) - 1, max(1, int(len(increments) * max_size / size)))
         increments = [increments[place] for place in evenly_chosen(len(increments), fewer)]
+    return f"{_text('viewer.html')}{_inside(parts)}{_scripts()}", increments
 
 
 def _embedded(data: WebData) -> str:
