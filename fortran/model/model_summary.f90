@@ -4,7 +4,7 @@ module litz_model_summary
    use litz_element_types, only: element_types
    use litz_fields, only: fields, field_of_dof, max_dof, field_displacement, field_temperature
    use litz_growing_text, only: growing_text_t
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
    use litz_normal_law, only: normal_law_t
    use litz_law_words, only: law_words_t
@@ -147,6 +147,10 @@ contains
             model%materials(this%material)%name//'): A = '//with_unit(this%area, 'm^2')//', I2 = '// &
             with_unit(this%i2, 'm^4')//', I3 = '//with_unit(this%i3, 'm^4')//', J = '//with_unit(this%j, 'm^4')// &
             ', GA2 = '//with_unit(this%ga2, 'N')//', GA3 = '//with_unit(this%ga3, 'N')
+         if (abs(this%turn) > 0) text = text//', principal axes turned by '//to_text(this%turn*180/pi)// &
+            ' degrees from n1'
+         if (any(abs([this%shear_centre, this%centroid]) > 0)) text = text//', centroid '// &
+            place(this%shear_centre + this%centroid)//' and shear centre '//place(this%shear_centre)//' from the node'
          if (this%contact_radius > 0) text = text//', contact radius '//with_unit(this%contact_radius, 'm')
          if (norm2(this%n1) > 0) text = text//', n1 = ('//to_text(this%n1(1))//', '//to_text(this%n1(2))//', '// &
             to_text(this%n1(3))//')'
@@ -165,6 +169,14 @@ contains
 
          words = to_text(value)//model%units%after(unit)
       end function with_unit
+
+      pure function place(y) result(words)
+         !> Along n1 and n2 (2) [m]
+         real(dp), intent(in) :: y(2)
+         character(len=:), allocatable :: words
+
+         words = '('//to_text(y(1))//', '//to_text(y(2))//')'//model%units%after('m')
+      end function place
 
    end function section_lines
 

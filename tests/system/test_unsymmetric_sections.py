@@ -1,6 +1,8 @@
 """Sections whose centroid or shear centre is beside the node, or whose axes are not principal ones: L, unlike boxes, offsets."""
 
 import itertools
+import math
+import re
 
 import numpy as np
 import pytest
@@ -359,3 +361,13 @@ def test_a_round_wire_beside_its_nodes_touches_where_a_contact_radius_is_given(l
     (tmp_path / "deck.inp").write_text(deck(("CIRC", "5"), "", parameters=", OFFSET1=0.5", more=more))
     told = litz("check", "deck.inp", cwd=tmp_path)
     assert "has no CONTACT RADIUS" in told.stderr
+
+
+def test_a_check_tells_where_the_axes_and_centres_of_an_l_are(litz, tmp_path):
+    (tmp_path / "deck.inp").write_text(deck(("L", ", ".join(map(str, LEGS))), "*CLOAD\n 5, 2, 1\n"))
+    told = litz("check", "deck.inp", cwd=tmp_path)
+    line = next(line for line in told.stdout.splitlines() if line.startswith("section of BEAM"))
+    found = re.search(r"turned by (\S+) degrees from n1, centroid \((\S+), (\S+)\) m and shear centre \(0, 0\) m", line)
+    (i22, i12), (_, i11) = l_area(*LEGS).second
+    assert math.tan(math.radians(2 * float(found[1]))) == pytest.approx(2 * i12 / (i22 - i11), rel=1e-5)
+    assert [float(found[2]), float(found[3])] == pytest.approx(l_area(*LEGS).centroid, rel=1e-5)
