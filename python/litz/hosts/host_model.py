@@ -102,7 +102,7 @@ class HostModel:
     supports: set[tuple[int, int]] = field(default_factory=set)
     prescribed: dict[tuple[int, int], float] = field(default_factory=dict)
     loads: dict[tuple[int, int], float] = field(default_factory=dict)
-    #: Local axes of nodes: their rows, the type and the two points of a `*TRANSFORM`
+    #: Rows of nodes with local axes, with the type and the two points of a `*TRANSFORM`
     local_axes: list[tuple[NDArray[np.int64], str, list[float]]] = field(default_factory=list)
 
     def conducts(self, element: int) -> bool:
