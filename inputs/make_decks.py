@@ -46,15 +46,16 @@ Model    8 x 8 copper wires of 0.1 mm radius at a pitch of 1 mm, woven one over 
          diagonal of crests, crossing the wires at 45 degrees. The upper plate moves down by 6.5 microns, of which 3 close
          the gaps. The ends of the wires are held laterally and move down by half, the middles are held along the wire.
          1 mV between the plates.
-Contact  Hertz and Holm, plates with wires at 45 degrees, wires with each other at 90 degrees.
+Contact  Hertz and Holm, plates with wires at 45 degrees, wires with each other at 90 degrees: bent at their crests,
+         away from the plates and about each other, with a (pi/pitch)^2.
 Source   litz.build.woven_fabric, called in inputs/make_decks.py. By symmetry all crossings far from the edge are equal:
          plate on wire (force F), wire on wire (force N), and wires that bend from crest to crest,
             delta_45(F) + u = d,  delta_90(N) = 2 u - c,  F - N = 4 u/f,  f = integral of (pitch/2 - s)^2 dl/(E I),
          with d = 2.25 microns, the approach of the plates to the middle without the gap, and c = 1 micron. f is that of the
          curved wire. Resistance: Kirchhoff's laws for 64 crossings of two points each, and for the plate elements,
          two radii long, that carry the current to each contact.
-Expect   forces at the four crossings in the middle: plate F = 1.5082 N, wires N = 1.0385 N, both within 0.5 %
-         resistance between the plates 0.02381 mohm, within 2 % (two contacts share an element of each wire)""".splitlines()
+Expect   forces at the four crossings in the middle: plate F = 1.4582 N, wires N = 1.0033 N, both within 0.5 %
+         resistance between the plates 0.02499 mohm, within 2 % (two contacts share an element of each wire)""".splitlines()
     return model
 
 

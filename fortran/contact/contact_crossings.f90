@@ -7,6 +7,7 @@
 module litz_contact_crossings
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta, axis_shape, on_axis
+   use litz_bent_contacts, only: see_bends
    use litz_closest_points, only: closest_points, max_minima, closest_inside, closest_beyond, closest_not_unique, &
       closest_parallel
    use litz_contact_candidates, only: skin
@@ -350,6 +351,8 @@ contains
          call add_balls(wires, elements, point)
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
+      if (point%regular) call see_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
+         point%pair)%interaction)%normal, point%bends%are_known, point)
       if (point%regular) call measure_legs(model, wires, elements, axis, x, rotation, point)
    end subroutine set_geometry
 

@@ -133,6 +133,7 @@ contains
                if (.not. domain%motions_stand) then
                   k_p = k_p + k_slide + k_turning
                   r_p = r_p + r_slide + r_turning
+                  if (point%closed) r_p = r_p + point%bent_force
                end if
                if (conducts) call keep_current(electricity, circuit, force%law%dforce_dgap, point)
             end associate

@@ -5,6 +5,8 @@
 module litz_contact_lens
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
+   use litz_bent_contacts, only: is_bent, bends_of
+   use litz_bent_wires, only: bent_crossing_t
    use litz_closest_points, only: parallel_sine
    use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
    use litz_cut_lens, only: cut_lens_t, flat_tilt, is_cut, steep_tilt
@@ -58,9 +60,15 @@ contains
       !> First and second derivative by the angle of the axes [-, 1/rad]; 0 at right angles, which nothing changes
       real(dp), intent(out) :: slope, curvature
       real(dp) :: cosine, of_lens, slope_of_lens, curvature_of_lens
+      type(bent_crossing_t) :: straight
 
       slope = 1
       curvature = 0
+      if (is_bent(point)) then
+         straight = bends_of(point, point%kinematics%angle)
+         slope = straight%slope
+         curvature = straight%curvature
+      end if
       if (.not. point%lens_share > 0) return
       slope = 0
       cosine = cos(point%law_angle)

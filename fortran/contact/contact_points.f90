@@ -1,6 +1,7 @@
 !> The crossings of wires as the iteration sees them, and the set of all.
 module litz_contact_points
    use litz_kinds, only: dp
+   use litz_bent_wires, only: bends_t
    use litz_contact_history, only: contact_history_t, left_dents_t
    use litz_contact_kinematics, only: contact_kinematics_t, n_motions
    use litz_contact_turning, only: turning_t
@@ -134,6 +135,10 @@ module litz_contact_points
       integer :: angle_element(2) = 0
       logical :: angle_stays = .false.
       real(dp) :: angle_at(2) = 0
+      !> How the wires are bent as the law sees it; and the force by which the contact resists to be bent otherwise, on
+      !> the motions of the nodes (24) [N, N m]
+      type(bends_t) :: bends
+      real(dp) :: bent_force(n_motions) = 0
       !> Energy over that of the present far field [-], and what the torque about the normal lacks for what the far
       !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
       !> (litz_lens_growth) [N m]
@@ -436,6 +441,7 @@ contains
       point%angle_element = earlier%angle_element
       point%angle_stays = earlier%angle_stays
       point%angle_at = earlier%angle_at
+      point%bends = earlier%bends
       point%energy_ratio = earlier%energy_ratio
       point%lacking_torque = earlier%lacking_torque
       point%lacking_torque_of_places = earlier%lacking_torque_of_places

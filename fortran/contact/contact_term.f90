@@ -1,6 +1,7 @@
 !> Contacts of wires at points, as one of the terms of the equations.
 module litz_contact_term
    use litz_kinds, only: dp
+   use litz_bent_contacts, only: follow_bends
    use litz_contact_candidates, only: find_candidates, candidates_hold
    use litz_contact_capture, only: capture_contacts
    use litz_contact_crossings, only: locate_points
@@ -399,6 +400,8 @@ contains
                contact, unused_change)
             contact%shares_wait = .false.
          end if
+         call follow_bends(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
+            contact%points)
          call keep_left_dents(domain%wires, contact)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points

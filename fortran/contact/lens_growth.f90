@@ -9,6 +9,8 @@
 !> Source: theory (10.16a) and (10.16b).
 module litz_lens_growth
    use litz_kinds, only: dp
+   use litz_bent_contacts, only: bends_of, is_bent
+   use litz_bent_wires, only: bent_crossing_t
    use litz_contact_lens, only: has_lens, half_length_of, deepest
    use litz_contact_points, only: contact_point_t
    use litz_contact_turning, only: turning_t
@@ -18,7 +20,7 @@ module litz_lens_growth
    use litz_line_kinematics, only: crossing_qualities, sine_at_angle
    use litz_line_law, only: line_wires_t, line_wires
    use litz_normal_law, only: normal_law_t
-   use litz_shares_at_ends, only: share_of_lens
+   use litz_shares_at_ends, only: share_at_crossing
    implicit none
    private
    public :: settle_growth, settled_turning, lacks_torque
@@ -72,8 +74,9 @@ contains
          line = turned%line
          line%section = share_of_line(reach)*line%section
          call lens_energy(line, point%gap, turned%law_sine, 0.0_dp, kept, by_angle, unused)
-         if (side /= 0) turned = lens_at(pair, point, point%kinematics%angle + side*change, share_of_lens(law, point, &
-            point%kinematics%angle + side*change))
+         associate (angle => point%kinematics%angle + side*change)
+            if (side /= 0) turned = lens_at(pair, point, angle, share_at_crossing(law, point, angle))
+         end associate
          grown(side) = grown_energy(turned%line, point%gap, turned%law_sine, reach*now%sine/turned%sine, longest) - kept
          if (side /= 0) cycle
          if (kept > 0) point%energy_ratio = 1 + grown(0)/kept
@@ -113,11 +116,19 @@ contains
       type(contact_point_t), intent(in) :: point
       !> Of the axes [rad], and how much the lens counts beside it [-]
       real(dp), intent(in) :: angle, share
-      real(dp) :: unused
+      type(bent_crossing_t) :: straight
+      real(dp) :: unused, sine, slope
 
       call sine_at_angle(crossing_qualities(point%kinematics), angle, turned%sine, turned%slope, unused)
-      turned%law_sine = (1 - share)*sin(angle) + share*turned%sine
-      turned%law_slope = ((1 - share)*cos(angle) + share*turned%slope)/cosine(turned%law_sine)
+      sine = sin(angle)
+      slope = cos(angle)
+      if (is_bent(point)) then
+         straight = bends_of(point, angle)
+         sine = straight%sine
+         slope = straight%slope*cosine(sine)
+      end if
+      turned%law_sine = (1 - share)*sine + share*turned%sine
+      turned%law_slope = ((1 - share)*slope + share*turned%slope)/cosine(turned%law_sine)
       turned%line = line_wires(pair, asin(min(1.0_dp, turned%law_sine)))
    end function lens_at
 

@@ -5,6 +5,8 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
+   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, settle_bends, change_of_bends
+   use litz_bent_wires, only: bent_crossing_t
    use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
       place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
@@ -22,8 +24,8 @@ module litz_line_shares
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_settled_angles, only: settle_angle
-   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_of_lens, half_pass, resolution, &
-      least_sine
+   use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_at_crossing, half_pass, &
+      resolution, least_sine
    use litz_wires, only: wires_t
    implicit none
    private
@@ -37,6 +39,8 @@ module litz_line_shares
    real(dp), parameter :: sine_matters = 20
    !> So does one of the parts of legs and joint, which all of the contact goes with
    real(dp), parameter :: joints_matter = 10
+   !> And this much more one of the force by how the wires are bent
+   real(dp), parameter :: bends_matter = 1000
 
    !> Half lengths of a lens from its crossing where it ends, and where what overlaps is none of it: the crest of a wave
    !> that closes altogether (see litz_crossings_of_wires)
@@ -83,15 +87,22 @@ contains
       end do
    end subroutine share_crossings
 
-   !> The angle that a law sees is that of the axes; next to ends and joints it stays what it was in the last state in
-   !> balance.
+   !> The angle that a law sees is that of the axes, or of the straight wires that stand for bent ones; next to ends and
+   !> joints that of the axes stays what it was in the last state in balance.
    pure subroutine set_angle_of_axes(point)
       type(contact_point_t), intent(inout) :: point
+      type(bent_crossing_t) :: straight
 
       point%law_angle = merge(point%lens%angle, point%kinematics%angle, is_cut(point%lens))
       ! wires that are parallel may well meet end to end
       if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
       point%law_sine = sin(point%law_angle)
+      point%bends%ratio = 1
+      if (.not. is_bent(point)) return
+      straight = bends_of(point, point%law_angle)
+      point%bends%ratio = straight%ratio
+      point%law_sine = straight%sine
+      point%law_angle = asin(min(1.0_dp, straight%sine))
    end subroutine set_angle_of_axes
 
    !> It is that of straight wires with as long a lens, as far as that counts.
@@ -135,11 +146,12 @@ contains
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
       point%lens_sine = lens_sine(point%kinematics)
       point%lens_quality = crossing_qualities(point%kinematics)
-      point%lens_share = share_of_lens(law, point, point%kinematics%angle)
+      point%lens_share = share_at_crossing(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
       own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), lap_at_crossing(wires, elements, point))
-      own%sine = (1 - point%lens_share)*sin(point%kinematics%angle) + point%lens_share*point%lens_sine
+      own%sine = (1 - point%lens_share)*sine_of_bends(point, point%kinematics%angle) &
+         + point%lens_share*point%lens_sine
       call share_on_legs(law, wires, elements, contact, by_place, own, point)
    end subroutine share_crossing
 
@@ -184,6 +196,12 @@ contains
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             call settle_angle(point)
+            if (point%gap < 0) then
+               earlier = point
+               call settle_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
+                  point%pair)%interaction)%normal, point)
+               largest_change = max(largest_change, bends_matter*point%weight*change_of_bends(earlier, point))
+            end if
             if (serves_lines(model, point%pair)) call settle_growth(model%interactions(model%contact_pairs( &
                point%pair)%interaction)%normal, wires_of(model, elements, point), point)
          end associate

@@ -4,6 +4,7 @@
 !> more where little is left for places. Source: theory section 10.
 module litz_shares_at_ends
    use litz_kinds, only: dp
+   use litz_bent_contacts, only: feels_bends, sine_of_bends
    use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, &
       least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
@@ -17,7 +18,7 @@ module litz_shares_at_ends
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: own_t, share_end, share_on_legs, share_along, share_of_lens
+   public :: own_t, share_end, share_on_legs, share_along, share_of_lens, share_at_crossing
    public :: half_pass, resolution, least_sine
 
    !> Weight of one of the two passes
@@ -138,7 +139,8 @@ contains
       bend = merge(bar%bend_of_law, leg%bend_of_law, begins(1))
       if (all(begins)) bend = of_axes**2/point%kinematics%distance
       share = share_of_lens(law, point, asin(min(1.0_dp, of_axes)))
-      sine = (1 - share)*of_axes + share*sqrt(point%kinematics%distance*max(0.0_dp, bend))
+      sine = (1 - share)*sine_of_bends(point, asin(min(1.0_dp, of_axes))) &
+         + share*sqrt(point%kinematics%distance*max(0.0_dp, bend))
       sine = min(1.0_dp, max(sine, sqrt(point%kinematics%distance*least_bend(0.0_dp, max(least_overlap &
          *point%kinematics%distance, min(-point%gap, deepest*radius)), longest*radius))))
    end function sine_on
@@ -308,5 +310,16 @@ contains
          1 - smooth_step((sin(angle) - small_sine)/(moderate_sine - small_sine)))
       if (law%is_per_length_only()) share = 1
    end function share_of_lens
+
+   !> The same at a crossing: Hertz's law sees there how the wires are bent at any angle.
+   pure real(dp) function share_at_crossing(law, point, angle) result(share)
+      type(normal_law_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      !> [rad]
+      real(dp), intent(in) :: angle
+
+      share = 0
+      if (.not. feels_bends(law)) share = share_of_lens(law, point, angle)
+   end function share_at_crossing
 
 end module litz_shares_at_ends

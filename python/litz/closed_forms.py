@@ -120,8 +120,12 @@ def hertz_contact(
     poisson: ArrayLike,
     resistivity: ArrayLike,
     angle: float = math.pi / 2,
+    curvature: ArrayLike = 0.0,
 ) -> Spot:
     """Elastic contact of two round wires whose axes cross at `angle`; every property is a number or a pair.
+
+    `curvature` [1/m] is that of the axes where they cross, positive as wires bend away from each other: along itself the
+    surface of such a wire has the curvature k/(1 + k r).
 
     Sources: Hertz 1882 in the notation of K. L. Johnson, Contact Mechanics, section 4.2; resistance of an elliptic spot
     after R. Holm, Electric Contacts: R_c = (rho1 + rho2) K(m)/(2 pi a).
@@ -130,10 +134,15 @@ def hertz_contact(
     rho1, rho2 = _pair(resistivity)
     e_star = reduced_modulus(young, poisson)
 
-    curvature_sum = (1.0 / r1 + 1.0 / r2) / 2.0
-    curvature_difference = math.sqrt(1.0 / r1**2 + 1.0 / r2**2 + 2.0 * math.cos(2.0 * angle) / (r1 * r2)) / 2.0
+    along1, along2 = (k / (1.0 + k * r) for k, r in zip(_pair(curvature), (r1, r2), strict=True))
+    more1, more2 = 1.0 / r1 - along1, 1.0 / r2 - along2
+
+    curvature_sum = (1.0 / r1 + 1.0 / r2 + along1 + along2) / 2.0
+    curvature_difference = math.sqrt(more1**2 + more2**2 + 2.0 * math.cos(2.0 * angle) * more1 * more2) / 2.0
     b_curvature = (curvature_sum + curvature_difference) / 2.0
-    a_curvature = math.sin(angle) ** 2 / (4.0 * r1 * r2 * b_curvature)
+    # A B = (A + B)^2/4 - (A - B)^2/4, without loss of digits at small angles
+    product = (1.0 / r1 + 1.0 / r2) * (along1 + along2) + math.sin(angle) ** 2 * more1 * more2
+    a_curvature = product / (4.0 * b_curvature)
 
     ratio = _axis_ratio(b_curvature / a_curvature)
     k, e, _ = complete_elliptic(1.0 - ratio**2)
@@ -249,19 +258,41 @@ def beam_compliance(
     return deflection * length**3 / bending_stiffness
 
 
+def beam_curvature(bending_stiffness: float, length: float, support: str, position: float = 0.5) -> float:
+    """Curvature by a unit force where it acts [1/(N m)]: the moment there over the bending stiffness.
+
+    Arguments and source as of `beam_compliance`.
+    """
+    a, b = position, 1.0 - position
+    moments = {"clamped": 2.0 * a**2 * b**2, "supported": a * b, "cantilever": 0.0}
+    if support not in moments:
+        raise ValueError(f"support {support!r} is not known; it is clamped, supported or cantilever")
+    return moments[support] * length / bending_stiffness
+
+
 def crossed_beams(
-    approach: float, compliances: Sequence[float], *, penalty: float | None = None, **wires: Any
+    approach: float,
+    compliances: Sequence[float],
+    *,
+    penalty: float | None = None,
+    curvatures: Sequence[float] = (0.0, 0.0),
+    **wires: Any,
 ) -> float:
     """Force between two beams whose supports are moved together by `approach` beyond first touch.
 
     `approach = F (c1 + c2) + delta(F)`, where delta is F/penalty, or Hertz's approach when the properties of the wires
-    are given (as for `hertz_contact`).
+    are given (as for `hertz_contact`). `curvatures` are those by a unit force (`beam_curvature`), with which the beams
+    bend about each other.
     """
     compliance = sum(compliances)
     if penalty is not None:
         return approach / (compliance + 1.0 / penalty)
-    unit_approach = hertz_contact(1.0, **wires).approach
-    return _bisect(lambda f: f * compliance + unit_approach * f ** (2.0 / 3.0) - approach, 0.0, approach / compliance)
+
+    def overlap(force: float) -> float:
+        unit = hertz_contact(1.0, curvature=[-force * k for k in curvatures], **wires)
+        return unit.approach * force ** (2.0 / 3.0)
+
+    return _bisect(lambda f: f * compliance + overlap(f) - approach, 0.0, approach / compliance)
 
 
 def wire_grid(

@@ -65,7 +65,8 @@ def test_coupled_equations_know_how_a_conductor_that_is_stretched_resists(run):
 
 
 def test_coupled_equations_know_that_a_remembered_spot_does_not_follow_the_force(run):
-    """Released, it conducts as before: the currents are right as soon as the displacements are, in the second iteration."""
+    """Released, it conducts as before: the currents are right as soon as the displacements are, in the third iteration.
+    After the second one the law sees how the wires are bent then."""
     deck = crossed(
         static="1, 1",
         spot="*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, SPOT=LARGEST FORCE",
@@ -74,9 +75,9 @@ def test_coupled_equations_know_that_a_remembered_spot_does_not_follow_the_force
     process, results = run(deck + "*STEP\n*STATIC\n 1, 1\n*BOUNDARY\n UPPER_ENDS, 3, 3, -5e-5\n*END STEP\n")
     assert process.returncode == 0, process.stderr
     released = results.convergence.where(results.convergence["step"] == 2)
-    assert released["force"][2] < 1e-5 * released["force"][1]
+    assert released["force"][3] < 1e-5 * released["force"][1]
     # the square of what was left of the displacements
-    assert released["current"][2] < 1e-7 * released["current"][1]
+    assert released["current"][3] < 1e-7 * released["current"][1]
 
 
 @pytest.mark.parametrize("push", [1e-5, 5e-5, 5e-4])
@@ -301,8 +302,8 @@ def test_a_contact_at_nodes_of_curved_wires_is_one_contact(run, deck):
     contacts = results.contacts_at(-1)
     assert len(contacts["force"]) == 1
     # it did not leave the node: this is the case that is meant
-    assert abs(contacts["xi_2"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_1"][0]) == pytest.approx(
-        1, abs=1e-9
+    assert abs(contacts["xi_2"][0]) == pytest.approx(1, abs=1e-7) or abs(contacts["xi_1"][0]) == pytest.approx(
+        1, abs=1e-7
     )
     pushed = np.abs(results.field("reaction_force")[results.node_sets["B"]].sum(axis=0)).max()
     assert contacts["force"][0] == pytest.approx(pushed, rel=1e-9)

@@ -72,6 +72,15 @@ def compliance(wire, support, position, element_length=0.0, element_position=0.5
     return exact - cf.beam_compliance(wire.bending_stiffness, element_length, "clamped", element_position)
 
 
+def curvature_seen(wire, support, position, element_length):
+    """Curvature by a unit force where it acts, towards it, in the middle of an element: as contacts see it.
+
+    There a cubic does not have the part F h/4 of the moment, and at its ends the mean is taken with the next element.
+    """
+    at_force = cf.beam_curvature(wire.bending_stiffness, wire.length, support, position)
+    return at_force - 3 / 16 * element_length / wire.bending_stiffness
+
+
 def test_every_deck_has_a_header_that_says_what_and_whence(inputs):
     decks = sorted(inputs.glob("*.inp"))
     assert [deck.stem for deck in decks] == DECKS
@@ -109,16 +118,16 @@ def test_crossed_wires_follow_hertz_and_holm_through_a_load_cycle(results_of, he
     history = results.history
     arm = COPPER_WIRE.resistance(0.5)
     c = compliance(COPPER_WIRE, "clamped", 0.5, element_length=0.01)
+    bend = curvature_seen(COPPER_WIRE, "clamped", 0.5, 0.01)
     for time, approach in [(0.5, 0.045e-3), (1.0, 0.1e-3), (1.5, 0.045e-3), (3.0, 0.1e-3)]:
         increment = at(results, time)
         contact = only_contact(results, increment)
-        force = cf.crossed_beams(approach, (c, c), **COPPER)
+        force = cf.crossed_beams(approach, (c, c), curvatures=(bend, bend), **COPPER)
+        spot = cf.hertz_contact(force, curvature=-force * bend, **COPPER)
         # wires that bend by 0.05 mm over 100 mm are linear to (0.05/50)^2 = 1e-6
         assert contact["force"] == pytest.approx(force, rel=1e-5)
-        assert contact["resistance"] == pytest.approx(cf.hertz_contact(force, **COPPER).resistance, rel=1e-5)
-        assert history["resistance PLUS to MINUS"][increment] == pytest.approx(
-            cf.hertz_contact(force, **COPPER).resistance + 2 * arm, rel=1e-5
-        )
+        assert contact["resistance"] == pytest.approx(spot.resistance, rel=1e-5)
+        assert history["resistance PLUS to MINUS"][increment] == pytest.approx(spot.resistance + 2 * arm, rel=1e-5)
     # the header has the solution for exact beams; the mesh makes the force 0.1 % larger
     for time, force, radius, spot, total, current in header("01_crossed_wires"):
         increment = at(results, time)
@@ -135,9 +144,9 @@ def test_crossed_wires_follow_hertz_and_holm_through_a_load_cycle(results_of, he
 
 def test_resistance_of_crossed_wires_falls_with_the_cube_root_of_the_force(results_of):
     ledger = results_of("01_crossed_wires").contacts
-    slope = np.diff(np.log(ledger["resistance"])) / np.diff(np.log(ledger["force"]))
-    # Hertz and Holm: exact for any force
-    assert slope == pytest.approx(-1 / 3, rel=1e-6)
+    constant = ledger["resistance"] * ledger["force"] ** (1 / 3)
+    # Hertz and Holm, for any force; the wires bend about each other with up to r/R = 1e-4
+    assert np.ptp(constant) < 1e-4 * constant.mean()
 
 
 def test_oblique_wires_of_unequal_radii_and_metals_touch_in_hertz_ellipse(results_of, header):
@@ -155,12 +164,13 @@ def test_oblique_wires_of_unequal_radii_and_metals_touch_in_hertz_ellipse(result
         compliance(thin, "clamped", 0.45, element_length=0.006),
         compliance(thick, "cantilever", 0.45, element_length=0.008),
     )
+    bends = curvature_seen(thin, "clamped", 0.45, 0.006), curvature_seen(thick, "cantilever", 0.45, 0.008)
     arms = thin.resistance(0.45) + thick.resistance(0.45)
     for time, approach in [(1.0, 0.1e-3), (2.0, 0.2e-3)]:
         increment = at(results, time)
         contact = only_contact(results, increment)
-        force = cf.crossed_beams(approach, compliances, **wires)
-        spot = cf.hertz_contact(force, **wires)
+        force = cf.crossed_beams(approach, compliances, curvatures=bends, **wires)
+        spot = cf.hertz_contact(force, curvature=[-force * bend for bend in bends], **wires)
         # slopes of 0.007 of the cantilever and 0.002 of the thin wire change the angle by their products
         assert math.degrees(contact["angle"]) % 180 == pytest.approx(40, abs=3e-3)
         # the cantilever's slope moves its point of contact by 0.0066*1.3 mm/sin(40)^2 = 0.021 mm of 36 mm, to the cube
@@ -245,8 +255,8 @@ def test_crossed_pairs_have_their_exact_electro_mechanical_solution(results_of, 
         contact = only_contact(results, at(results, step))
         assert row[0] == pytest.approx(u)
         values = [contact[key] for key in ("force", "semi_major", "resistance", "current", "voltage_gap")]
-        # linear to (u/2/50 mm)^2 = 1e-6; the header has seven digits
-        assert [values[0], -contact["gap"], *values[1:]] == pytest.approx(list(row[1:]), rel=3e-6)
+        # linear to (u/2/50 mm)^2 = 1e-6; the header has seven digits, and the curvature is that of 2e-5 more or less force
+        assert [values[0], -contact["gap"], *values[1:]] == pytest.approx(list(row[1:]), rel=1e-5)
 
 
 def test_a_moment_rolls_a_wire_up_to_a_closed_circle(results_of):
@@ -540,7 +550,8 @@ def test_mat_conducts_better_the_more_it_is_pressed(results_of):
     assert len(network.wire_length) == 128 + 12
     for contact in range(0, len(network.id), 50):
         holm = cf.hertz_contact(network.force[contact], angle=network.angle[contact], **THIN_COPPER)
-        assert network.resistance[contact] == pytest.approx(holm.resistance, rel=1e-6)
+        # of straight wires: these are bent with radii of more than 100 of their own
+        assert network.resistance[contact] == pytest.approx(holm.resistance, rel=2e-3)
 
 
 def test_mat_is_the_network_of_its_contacts(results_of):
@@ -560,25 +571,29 @@ def fabric_cell(press, pitch, gap):
     x = (np.arange(2000) + 0.5) / 2000 * pitch
     slope = math.pi * (radius + gap / 2) / pitch * np.sin(math.pi * x / pitch)
     stiffness = THIN_COPPER["young"] * math.pi * radius**4 / 4
+    # at their crests wires bend about each other, and away from the plates
+    bend = (radius + gap / 2) * (math.pi / pitch) ** 2
+    about = {"angle": math.pi / 2, "curvature": (-bend, -bend), **THIN_COPPER}
+    away = {"angle": math.pi / 4, "curvature": (bend, 0.0), **THIN_COPPER}
     flexibility = np.mean((pitch / 2 - x) ** 2 * np.sqrt(1 + slope**2)) * pitch / stiffness
 
     def closing(crest):
         """How far the plates come down when the crests do by `crest`, and the two forces."""
-        wires = cf.hertz_force(2 * crest - gap, angle=math.pi / 2, **THIN_COPPER)
+        wires = cf.hertz_force(2 * crest - gap, **about)
         plate = wires + 4 * crest / flexibility
-        return gap + crest + cf.hertz_contact(plate, angle=math.pi / 4, **THIN_COPPER).approach, plate, wires
+        return gap + crest + cf.hertz_contact(plate, **away).approach, plate, wires
 
     low, high = gap / 2 * (1 + 1e-9), press / 2
     for _ in range(80):
         middle = (low + high) / 2
         low, high = (middle, high) if closing(middle)[0] < press / 2 else (low, middle)
     length = np.mean(np.sqrt(1 + slope**2)) * pitch
-    return *closing(low)[1:], length
+    return *closing(low)[1:], length, about, away
 
 
 def test_fabric_carries_the_forces_of_its_unit_cell(results_of, inputs):
     results = results_of("12_woven_fabric")
-    plate, wires, length = fabric_cell(6.5e-6, 1e-3, 1e-6)
+    plate, wires, length, about, away = fabric_cell(6.5e-6, 1e-3, 1e-6)
     text = (inputs / "12_woven_fabric.inp").read_text(encoding="utf-8")
     assert f"plate F = {plate:.4f} N, wires N = {wires:.4f} N" in text
     network = results.contact_network()
@@ -590,9 +605,9 @@ def test_fabric_carries_the_forces_of_its_unit_cell(results_of, inputs):
     assert network.force[between_wires & middle] == pytest.approx(wires, rel=5e-3)
     assert network.force[~between_wires & middle] == pytest.approx(plate, rel=5e-3)
 
-    plate_spot = cf.hertz_contact(plate, angle=math.pi / 4, **THIN_COPPER).resistance
+    plate_spot = cf.hertz_contact(plate, **away).resistance
     to_plate = 1 / (plate_spot + wire_resistance(2 * THIN_COPPER["radius"]) / 4)
-    between = 1 / cf.hertz_contact(wires, angle=math.pi / 2, **THIN_COPPER).resistance
+    between = 1 / cf.hertz_contact(wires, **about).resistance
     links, top, bottom = [], 128, 129
     for i, j in itertools.product(range(8), range(8)):
         warp, weft = 8 * i + j, 64 + 8 * i + j
@@ -622,7 +637,8 @@ def test_a_current_heats_the_spot_between_crossed_wires(results_of, header):
         hottest = math.sqrt(wires**2 + (current * spot) ** 2 / (4 * lorenz))
         assert expected == pytest.approx([current, wires, hottest], abs=0.006)
         contact = results.contacts_at(at(results, time))
-        assert contact["current"] == pytest.approx(current, rel=1e-6)
+        # the force bends the wires with radii of 10^4 of their own
+        assert contact["current"] == pytest.approx(current, rel=3e-6)
         np.testing.assert_allclose([contact["temperature_1"], contact["temperature_2"]], wires, atol=0.01)
         assert contact["temperature_max"] == pytest.approx(hottest, abs=0.01)
     assert re.search(r"hottest spot +515\.6 K +in contact 1", summary(results))
@@ -640,10 +656,11 @@ def test_crossed_wires_that_have_yielded_keep_a_dent(results_of, header):
         # the header has five digits; the beam bends by 0.2 % of its length
         assert expected == pytest.approx([force, 1e3 * resistance], rel=5e-5)
         contact = only_contact(results, at(results, time))
-        assert contact["force"] == pytest.approx(force, rel=3e-5)
-        assert contact["resistance"] == pytest.approx(resistance, rel=3e-5)
-        assert contact["largest_force"] == pytest.approx(largest, rel=3e-5)
-        assert contact["dent"] == pytest.approx(yielded_wires.SPOT.dent(largest), rel=3e-5)
+        # the spot of straight wires; the beam bends with r/R of up to 3e-4
+        assert contact["force"] == pytest.approx(force, rel=2e-4)
+        assert contact["resistance"] == pytest.approx(resistance, rel=2e-4)
+        assert contact["largest_force"] == pytest.approx(largest, rel=2e-4)
+        assert contact["dent"] == pytest.approx(yielded_wires.SPOT.dent(largest), rel=3e-4)
     assert results.contacts_at(-1).n_rows == 0
     # trapezoids of the reference
-    assert results.history["ALLPD"][-1] == pytest.approx(yielded_wires.SPOT.dissipation(largest), rel=1e-4)
+    assert results.history["ALLPD"][-1] == pytest.approx(yielded_wires.SPOT.dissipation(largest), rel=3e-4)

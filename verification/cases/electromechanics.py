@@ -26,18 +26,23 @@ LAWS = {"hertz": "HERTZ", "paper": "PAPER", "plastic": f"PLASTIC\n {HARDNESS:.16
 PAPER_LEVELS, PAPER_PENALTY, PAPER_ELEMENT = (1e-5, 1e-4), 1e8, 0.01
 
 
-def spot(force):
+#: Moment in the middle by a unit force there, over the length
+MOMENTS = {"clamped": 1 / 8, "supported": 1 / 4}
+
+
+def spot(force, support):
+    """Of wires that bend about each other, with the curvature of the moment in the middle."""
     modulus = hertz.effective_modulus((COPPER.young,) * 2, (COPPER.poisson,) * 2)
     pair = (COPPER.radius, COPPER.radius), (COPPER.resistivity, COPPER.resistivity)
-    return hertz.crossed_wires(force, np.pi / 2, radius=pair[0], modulus=modulus, resistivity=pair[1])
+    curvature = (-force * MOMENTS[support] * LENGTH / COPPER.ei,) * 2
+    return hertz.bent_wires(force, np.pi / 2, radius=pair[0], curvature=curvature, modulus=modulus, resistivity=pair[1])
 
 
 def exact(support, level):
     """Force, approach, spot radius, R_c, current, voltage of the contact in closed form."""
     compliance = 2 * crossed_wires.deflection(support, LENGTH, LENGTH / 2, LENGTH / 2, ei=COPPER.ei)
-    unit = spot(1).approach
-    force = crossed_wires.force(level, compliance, lambda f: unit * f ** (2 / 3))
-    found = spot(force)
+    force = crossed_wires.force(level, compliance, lambda f: spot(f, support).approach if f > 0 else 0.0)
+    found = spot(force, support)
     current = VOLTAGE / (COPPER.resistance(LENGTH) + found.resistance)
     return force, found.approach, found.semi_major, found.resistance, current, current * found.resistance
 

@@ -59,6 +59,21 @@ def crossed_wires(force, angle, *, radius, modulus, resistivity):
         return _spot(force, total, difference, modulus, resistivity)
 
 
+def bent_wires(force, angle, *, radius, curvature, modulus, resistivity):
+    """The spot of two tori whose axes are bent away from each other with the curvatures of a pair [1/m].
+
+    At the contact a torus has the principal curvatures 1/r and c = k/(1 + k r): their sum, and their difference as a
+    vector at twice the angle.
+    """
+    with mp.workdps(DIGITS):
+        across = [1 / mp.mpf(r) for r in radius]
+        along = [mp.mpf(k) / (1 + mp.mpf(k) * mp.mpf(r)) for k, r in zip(curvature, radius, strict=True)]
+        total = (sum(across) + sum(along)) / 2
+        d1, d2 = (a - c for a, c in zip(across, along, strict=True))
+        difference = mp.sqrt(d1**2 + d2**2 + 2 * d1 * d2 * mp.cos(2 * mp.mpf(angle))) / 2
+        return _spot(force, total, difference, modulus, resistivity)
+
+
 def end_on_wire(force, *, radius, modulus, resistivity):
     """The spot of a hemisphere, the end of the first wire, on the side of the second wire under `force`."""
     with mp.workdps(DIGITS):

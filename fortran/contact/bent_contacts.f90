@@ -1,0 +1,328 @@
+!> How wires are bent where they cross: what the law of the contact sees of it, and the force that belongs to that.
+!>
+!> The curvature of the axes has a jump at each node. The law sees one that has none: at a node a mean of both elements
+!> by which straight stays straight, between nodes a cubic without a slope at them. Within an iteration it stays, and so
+!> does what the energy of the contact changes with it: the force by which the contact resists to be bent, rolled, or
+!> moved along its wires to where they are bent otherwise.
+!>
+!> Source: theory section 10, with (10.14a) and (10.14b).
+module litz_bent_contacts
+   use litz_kinds, only: dp, pi
+   use litz_axis, only: axis_row, axis_shape, on_axis
+   use litz_bent_wires, only: bent_crossing_t, bent_crossing
+   use litz_closest_points, only: parallel_sine
+   use litz_contact_points, only: contact_point_t, pair_geometry, axis_of_pair
+   use litz_cut_lens, only: is_cut
+   use litz_element_library, only: elements_t
+   use litz_lens_law, only: smooth_step
+   use litz_model, only: model_t
+   use litz_normal_law, only: normal_law_t
+   use litz_parallel, only: worth_threads
+   use litz_wires, only: wires_t
+   implicit none
+   private
+   public :: feels_bends, is_bent, bends_of, sine_of_bends, see_bends, settle_bends, follow_bends, change_of_bends
+
+   !> Angle by which a wire turns at a node from which on that begins to be a kink, which it is at 20 degrees
+   real(dp), parameter :: begins_to_kink = 10*pi/180, is_kink = 20*pi/180
+   !> Cosine of the angle of the law below which the energy is a parabola over it
+   real(dp), parameter :: flat = 1.0e-4_dp
+
+   !> Curvature vector of an axis as the law sees it.
+   type :: seen_curvature_t
+      !> At a place (3) [1/m], and how it changes along xi
+      real(dp) :: there(3) = 0, slope(3) = 0
+      !> What the law sees of it there: all but near kinks [-]
+      real(dp) :: part = 1
+   end type seen_curvature_t
+
+contains
+
+   !> A penalty does not depend on how the surfaces part.
+   pure logical function feels_bends(law)
+      type(normal_law_t), intent(in) :: law
+
+      feels_bends = law%uses_ellipse
+   end function feels_bends
+
+   pure logical function is_bent(point)
+      type(contact_point_t), intent(in) :: point
+
+      is_bent = any(abs(point%bends%curvature) > 0)
+   end function is_bent
+
+   !> The straight wires for which the law takes the two.
+   pure type(bent_crossing_t) function bends_of(point, angle) result(straight)
+      type(contact_point_t), intent(in) :: point
+      !> Of the axes [rad]
+      real(dp), intent(in) :: angle
+
+      ! of parallel axes the angle is stationary
+      associate (least => asin(parallel_sine))
+         straight = bent_crossing(point%radius, point%bends%curvature, max(least, min(pi - least, angle)))
+      end associate
+   end function bends_of
+
+   !> Sine of the angle that the law sees.
+   pure real(dp) function sine_of_bends(point, angle) result(sine)
+      type(contact_point_t), intent(in) :: point
+      !> Of the axes [rad]
+      real(dp), intent(in) :: angle
+      type(bent_crossing_t) :: straight
+
+      sine = sin(angle)
+      if (.not. is_bent(point)) return
+      straight = bends_of(point, angle)
+      sine = straight%sine
+   end function sine_of_bends
+
+   !> Bring up to date the curvatures that the law sees, and what the energy changes by them.
+   pure subroutine settle_bends(model, wires, elements, x, rotation, law, point)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(normal_law_t), intent(in) :: law
+      !> Closed, with the law at its gap
+      type(contact_point_t), intent(inout) :: point
+
+      point%bends%by_curvature = 0
+      if (is_bent(point) .and. .not. (law%yields() .or. any(point%held) .or. is_cut(point%lens))) then
+         point%bends%by_curvature = energy_by_curvature(point)
+      end if
+      call see_bends(model, wires, elements, x, rotation, law, .false., point)
+   end subroutine settle_bends
+
+   !> The curvatures of wires that do not touch, at the end of an increment: of those that do they are settled.
+   subroutine follow_bends(model, wires, elements, x, rotation, points)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(contact_point_t), intent(inout) :: points(:)
+      integer :: i
+
+      !$omp parallel do schedule(static) if (size(points) >= worth_threads)
+      do i = 1, size(points)
+         if (points(i)%gap < 0) cycle
+         points(i)%bends%by_curvature = 0
+         call see_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
+            points(i)%pair)%interaction)%normal, .false., points(i))
+      end do
+      !$omp end parallel do
+   end subroutine follow_bends
+
+   !> The force by which the contact resists to be bent otherwise, and the curvatures that its law sees.
+   pure subroutine see_bends(model, wires, elements, x, rotation, law, stay, point)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(normal_law_t), intent(in) :: law
+      !> The curvatures do
+      logical, intent(in) :: stay
+      !> With its kinematics
+      type(contact_point_t), intent(inout) :: point
+      type(seen_curvature_t) :: seen(2)
+      logical :: has_force
+
+      if (.not. stay) point%bends%curvature = 0
+      point%bends%are_known = .true.
+      point%bent_force = 0
+      if (.not. feels_bends(law)) return
+      has_force = any(abs(point%bends%by_curvature) > 0) .and. .not. any(point%held)
+      if (stay .and. .not. has_force) return
+      associate (axis => axis_of_pair(model, point%pair), n => point%kinematics%normal)
+         seen(1) = curvature_seen(model, wires, elements, axis, point%element_bar, point%xi_bar, x, rotation)
+         seen(2) = curvature_seen(model, wires, elements, axis, point%element, point%xi, x, rotation)
+         if (.not. stay) point%bends%curvature = [dot_product(n, seen(1)%there), -dot_product(n, seen(2)%there)]
+         if (has_force) point%bent_force = matmul(rows_of_curvature(model, wires, elements, axis, x, rotation, seen, &
+            point), point%bends%by_curvature)
+      end associate
+   end subroutine see_bends
+
+   !> How the energy of a contact changes with the curvatures of its two axes (2) [J m].
+   pure function energy_by_curvature(point) result(derivative)
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: derivative(2), by_sine, cosine
+      type(bent_crossing_t) :: straight
+
+      straight = bends_of(point, point%kinematics%angle)
+      cosine = cos(point%law_angle)
+      associate (law => point%at_gap)
+         if (abs(cosine) > flat) then
+            by_sine = law%denergy_dangle/cosine
+         else
+            by_sine = -law%d2energy_dangle2
+         end if
+         ! the force goes with the root of the radii
+         derivative = by_sine*straight%dsine - law%energy/(2*straight%ratio)*straight%dratio
+      end associate
+   end function energy_by_curvature
+
+   !> How the curvatures change with the 24 mechanical unknowns (24, 2): as the axes bend, as the normal turns, and as
+   !> the contact moves along them.
+   pure function rows_of_curvature(model, wires, elements, axis, x, rotation, seen, point) result(rows)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> Of the barred and the unbarred wire
+      type(seen_curvature_t), intent(in) :: seen(2)
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: rows(24, 2)
+      real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
+      real(dp), dimension(3) :: x1, x2, xb1, xb2
+      real(dp) :: xe(3, 4), t(3, 4), length(2)
+
+      call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
+      call axis_shape(axis, length(1), point%xi_bar, hb, hb1, hb2)
+      call axis_shape(axis, length(2), point%xi, h, h1, h2)
+      xb1 = on_axis(hb1, xe(:, 1:2), t(:, 1:2))
+      xb2 = on_axis(hb2, xe(:, 1:2), t(:, 1:2))
+      x1 = on_axis(h1, xe(:, 3:4), t(:, 3:4))
+      x2 = on_axis(h2, xe(:, 3:4), t(:, 3:4))
+      associate (n => point%kinematics%normal, dxib => point%kinematics%dxi_bar, dxi => point%kinematics%dxi)
+         ! at places that stay those of the elements themselves, so that forces and moments are in balance
+         rows(:, 1) = turned_normal(xb2)
+         rows(1:12, 1) = rows(1:12, 1) + axis_row(hb2, t(:, 1:2), n)
+         rows(:, 1) = seen(1)%part*rows(:, 1)/dot_product(xb1, xb1) + dot_product(n, seen(1)%slope)*dxib
+         rows(:, 2) = turned_normal(x2)
+         rows(13:24, 2) = rows(13:24, 2) + axis_row(h2, t(:, 3:4), n)
+         rows(:, 2) = -seen(2)%part*rows(:, 2)/dot_product(x1, x1) - dot_product(n, seen(2)%slope)*dxi
+      end associate
+
+   contains
+
+      !> `v.dn = v.(1 - n n^T)(S dp + xb' dxib - x' dxi)/d`
+      pure function turned_normal(v) result(row)
+         !> (3)
+         real(dp), intent(in) :: v(3)
+         real(dp) :: row(24), across(3)
+
+         associate (kinematics => point%kinematics)
+            across = v - dot_product(v, kinematics%normal)*kinematics%normal
+            row = [axis_row(hb, t(:, 1:2), across), axis_row(h, t(:, 3:4), -across)]
+            row = (row + dot_product(xb1, across)*kinematics%dxi_bar - dot_product(x1, across)*kinematics%dxi) &
+               /kinematics%distance
+         end associate
+      end function turned_normal
+
+   end function rows_of_curvature
+
+   !> Curvature of an axis at a place, without a jump at nodes.
+   pure type(seen_curvature_t) function curvature_seen(model, wires, elements, axis, e, xi, x, rotation) result(seen)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> `axis_linear` or `axis_hermite`, and the element
+      integer, intent(in) :: axis, e
+      !> Place in it
+      real(dp), intent(in) :: xi
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      real(dp) :: at_node(3, 2), part(2)
+      integer :: side
+
+      do side = 1, 2
+         call find_at_node(model, wires, elements, axis, e, side, x, rotation, at_node(:, side), part(side))
+      end do
+      seen%part = (part(1) + part(2))/2 + xi*(part(2) - part(1))/2
+      ! 3 u^2 - 2 u^3 from one to the other: at nodes it has no slope, which would have a jump there
+      associate (u => (1 + max(-1.0_dp, min(1.0_dp, xi)))/2, change => at_node(:, 2) - at_node(:, 1))
+         seen%slope = 3*u*(1 - u)*change
+         seen%there = at_node(:, 1) + u**2*(3 - 2*u)*change
+      end associate
+   end function curvature_seen
+
+   !> At a node of an element: none at kinks and where wires join.
+   pure subroutine find_at_node(model, wires, elements, axis, e, side, x, rotation, curvature, part)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> `axis_linear` or `axis_hermite`, the element, and its first or second node
+      integer, intent(in) :: axis, e, side
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> (3) [1/m], and what the law sees of the curvature there [-]
+      real(dp), intent(out) :: curvature(3), part
+      real(dp) :: turn
+      integer :: next, node
+
+      node = model%connectivity(side, e)
+      next = wires%next(side, e)
+      if (next == 0) then
+         part = merge(1.0_dp, 0.0_dp, wires%first_at_node(node + 1) - wires%first_at_node(node) == 1)
+         curvature = part*own_curvature(e, side)
+         return
+      end if
+      turn = acos(min(1.0_dp, abs(dot_product(chord(e), chord(next)))))
+      part = 1 - smooth_step((turn - begins_to_kink)/(is_kink - begins_to_kink))
+      curvature = part*harmonic_mean(own_curvature(e, side), own_curvature(next, merge(1, 2, &
+         model%connectivity(1, next) == node)))
+
+   contains
+
+      !> Of two vectors (3): none where one of them is none, or they are opposite, so that what is straight stays so
+      !> beside a bend.
+      pure function harmonic_mean(a, b) result(mean)
+         !> (3)
+         real(dp), intent(in) :: a(3), b(3)
+         real(dp) :: mean(3), sizes(2)
+
+         mean = 0
+         if (.not. dot_product(a, b) > 0) return
+         sizes = [norm2(a), norm2(b)]
+         mean = 2*product(sizes)/sum(sizes)**2*(a + b)
+      end function harmonic_mean
+
+      !> Reference direction of an element (3).
+      pure function chord(element)
+         !> Index
+         integer, intent(in) :: element
+         real(dp) :: chord(3)
+
+         associate (nodes => model%connectivity(:, element))
+            chord = model%x(:, nodes(2)) - model%x(:, nodes(1))
+         end associate
+         chord = chord/norm2(chord)
+      end function chord
+
+      !> At the first or second node of an element (3) [1/m].
+      pure function own_curvature(element, end) result(k)
+         !> Index, and 1 or 2
+         integer, intent(in) :: element, end
+         real(dp) :: k(3), h(4), h1(4), h2(4), t(3, 2), x1(3)
+         integer :: i
+
+         call axis_shape(axis, elements%length(element), real(2*end - 3, dp), h, h1, h2)
+         associate (nodes => model%connectivity(:, element))
+            do i = 1, 2
+               t(:, i) = matmul(rotation(:, :, nodes(i)), wires%contact_tangents0(:, i, element))
+            end do
+            x1 = on_axis(h1, x(:, nodes), t)
+            k = on_axis(h2, x(:, nodes), t)
+         end associate
+         k = (k - x1*dot_product(x1, k)/dot_product(x1, x1))/dot_product(x1, x1)
+      end function own_curvature
+
+   end subroutine find_at_node
+
+   !> Relative change of the force by that of the curvatures, about.
+   pure real(dp) function change_of_bends(earlier, point) result(change)
+      type(contact_point_t), intent(in) :: earlier, point
+      type(bent_crossing_t) :: before, now
+
+      before = bends_of(earlier, point%kinematics%angle)
+      now = bends_of(point, point%kinematics%angle)
+      change = abs(now%ratio/before%ratio - 1)/2
+      if (before%sine > 0) change = change + abs(now%sine/before%sine - 1)
+   end function change_of_bends
+
+end module litz_bent_contacts

@@ -1,0 +1,85 @@
+!> Wires that are bent where they cross, as straight ones whose surfaces part as theirs do.
+!>
+!> At a crossing the surface of a bent wire has the curvature `c = k/(1 + k r)` along its axis, with the curvature k of
+!> that away from the other wire. Contact by Hertz depends on the sum and the product of the principal curvatures of the
+!> gap, which are those of straight wires of the radii r/m that cross at the angle with the sine s.
+!>
+!> Source: theory (10.14a).
+module litz_bent_wires
+   use litz_kinds, only: dp
+   implicit none
+   private
+   public :: bends_t, bent_crossing_t, bent_crossing
+
+   !> Wires that are bent about each other more than this, in 1/r, count as bent by it
+   real(dp), parameter :: most_about = 0.25_dp
+   !> The sine is at least this part of that of straight wires
+   real(dp), parameter :: least_part = 0.1_dp
+   !> Below this cosine the angle of the straight wires is a right one
+   real(dp), parameter :: no_cosine = 1.0e-6_dp
+
+   !> Of a contact; within an iteration it stays.
+   type :: bends_t
+      logical :: are_known = .false.
+      !> Curvatures of the axes away from each other (2) [1/m], the mean curvature of the gap over that of straight
+      !> wires, and how the energy changes with the curvatures (2) [J m]
+      real(dp) :: curvature(2) = 0, ratio = 1, by_curvature(2) = 0
+   end type bends_t
+
+   type :: bent_crossing_t
+      !> Mean curvature of the gap over that of straight wires, m, and the sine s
+      real(dp) :: ratio = 1, sine = 0
+      !> First and second derivative by the angle of the axes, of the angle with this sine, which is at most a right one
+      real(dp) :: slope = 1, curvature = 0
+      !> Derivatives of both by the curvatures of the two axes (2) [m]
+      real(dp) :: dratio(2) = 0, dsine(2) = 0
+   end type bent_crossing_t
+
+contains
+
+   !> The straight wires that stand for two bent ones.
+   pure type(bent_crossing_t) function bent_crossing(radius, curvature, angle) result(straight)
+      !> Radii (2) [m], and curvatures of the axes away from each other (2) [1/m]
+      real(dp), intent(in) :: radius(2), curvature(2)
+      !> Between the axes [rad]
+      real(dp), intent(in) :: angle
+      real(dp) :: c(2), dc(2), bend(2), mean, alpha, beta, cosine, square_of_cosine
+
+      bend = max(curvature*radius, -most_about)
+      c = bend/((1 + bend)*radius)
+      dc = merge(1/(1 + bend)**2, 0.0_dp, curvature*radius > -most_about)
+      mean = product(radius)/sum(radius)
+      associate (m => straight%ratio, s => straight%sine)
+         m = 1 + mean*sum(c)
+         straight%dratio = mean*dc
+         ! s^2 = (alpha + beta sin^2(psi))/m^2
+         alpha = sum(radius)*sum(c)
+         beta = product(1 - c*radius)
+         s = sqrt(max(0.0_dp, alpha + beta*sin(angle)**2))/m
+         ! of m^2 - alpha - beta, without loss of digits
+         square_of_cosine = ((radius(1) - radius(2))*(c(1)*radius(2) - c(2)*radius(1))/sum(radius) + (mean*sum(c))**2 &
+            - product(c*radius) + beta*cos(angle)**2)/m**2
+         if (s < least_part*sin(angle)) then
+            s = least_part*sin(angle)
+            square_of_cosine = 1 - s**2
+            beta = (least_part*m)**2
+         else if (s < 1) then
+            straight%dsine = ((sum(radius) - radius*(1 - c([2, 1])*radius([2, 1]))*sin(angle)**2)*dc/m**2 &
+               - 2*s**2/m*straight%dratio)/(2*s)
+         end if
+         s = min(1.0_dp, s)
+         straight%slope = 0
+         ! bent so much and so unlike that no straight wires of these radii are as round a contact
+         if (square_of_cosine < 0 .or. .not. s > 0) return
+         cosine = sqrt(square_of_cosine)
+         ! cos(theta) theta' = s', and again
+         if (cosine > no_cosine) then
+            straight%slope = beta*sin(angle)*cos(angle)/(m**2*s*cosine)
+            straight%curvature = (beta*cos(2*angle)/m**2 - straight%slope**2*(1 - 2*s**2))/(s*cosine)
+         else
+            straight%slope = sign(sqrt(beta)/m, cos(angle))
+         end if
+      end associate
+   end function bent_crossing
+
+end module litz_bent_wires
