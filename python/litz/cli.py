@@ -41,7 +41,7 @@ COMMANDS = {
     "table": ("results", "table_command"),
     "plot": ("pictures", "plot_command"),
     "report": ("pictures", "report_command"),
-    "view": ("pictures", "view_command"),
+    "view": ("view", "view_command"),
     "new": ("decks", "new_command"),
     "convert": ("decks", "convert_command"),
     "export": ("results", "export_command"),

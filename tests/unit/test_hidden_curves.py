@@ -50,6 +50,12 @@ def test_curves_that_differ_by_more_than_their_width_stay_as_they_are():
     assert min(seen) > 200
 
 
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e3])
+def test_what_coincides_does_not_depend_on_the_scale_of_the_curves(scale):
+    axes, _, _ = drawn((scale * X, scale * X), (scale * X, scale * (1 - X)), (scale * X, scale * (X + 1e-4)))
+    assert is_dashed(axes) == [False, False, True]
+
+
 def test_curves_that_part_are_not_hidden():
     """Equal up to a third of the way; and a short curve upon a long one is hidden."""
     axes, _, _ = drawn((X, X), (X, X + np.maximum(0, X - 0.3)))

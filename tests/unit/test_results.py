@@ -456,3 +456,11 @@ class TestImport:
             [sys.executable, "-c", f"import sys, litz; print({heavy})"], capture_output=True, text=True, check=True
         )
         assert done.stdout.strip() == "[]"
+
+    @pytest.mark.parametrize("module", ["litz.results", "litz.commands.pictures"])
+    def test_results_and_their_pictures_load_no_server_and_no_client(self, module):
+        code = (
+            f"import sys, {module}; print([name for name in ('http', 'urllib.request', 'ssl') if name in sys.modules])"
+        )
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        assert done.stdout.strip() == "[]"

@@ -1,4 +1,4 @@
-"""The commands `litz plot`, `litz report` and `litz view`."""
+"""The commands `litz plot` and `litz report`."""
 
 import argparse
 import os
@@ -12,7 +12,6 @@ from ..pictures.scene import VIEWS
 from ..reports.report import report
 from ..results import Results
 from ..results.scalars import scalars
-from ..viewer.server import view
 from .parsers import increment_of, results_parser
 
 _PLOT_EXAMPLES = """
@@ -112,18 +111,6 @@ def _size(text: str) -> tuple[int, int]:
     if not found:
         raise argparse.ArgumentTypeError(f"a size is WIDTHxHEIGHT in pixels, such as 1600x1000, not {text!r}")
     return int(found[1]), int(found[2])
-
-
-def view_command(arguments: list[str]) -> int:
-    """`litz view`: results in the browser."""
-    parser = results_parser("view", "Show results in the browser, from a small server on this machine.")
-    parser.add_argument("--port", type=int, default=0, help="port of the server; default: any free port")
-    parser.add_argument("--no-browser", action="store_true", help="only print the address")
-    options = parser.parse_args(arguments)
-    if not 0 <= options.port <= 65535:
-        parser.error(f"a port is a number from 0 to 65535, not {options.port}")
-    view(options.results, port=options.port, open_browser=not options.no_browser)
-    return 0
 
 
 def report_command(arguments: list[str]) -> int:

@@ -58,6 +58,17 @@ def equal_curves(curves: list[np.ndarray]) -> list[list[int]]:
     return groups
 
 
+def equal_over_places(places: list[np.ndarray], values: list[np.ndarray]) -> list[list[int]]:
+    """Numbers of the curves in groups with the same values at the same places."""
+    same_places = {one: place for place, group in enumerate(equal_curves(places)) for one in group}
+    groups = equal_curves(values)
+    return [
+        [one for one in group if same_places[one] == place]
+        for group in groups
+        for place in dict.fromkeys(same_places[one] for one in group)
+    ]
+
+
 def name_of_group(names: list[str], what: str) -> str:
     """What a legend says of curves that are drawn as one: how many they are, and which."""
     if len(names) == 1:

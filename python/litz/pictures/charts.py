@@ -12,7 +12,15 @@ from ..base.quantities import engineering, label, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
-from .chart_tools import equal_curves, has_force, legend_beside, name_of_group, power_of_ten, wire_names
+from .chart_tools import (
+    equal_curves,
+    equal_over_places,
+    has_force,
+    legend_beside,
+    name_of_group,
+    power_of_ten,
+    wire_names,
+)
 
 Colour = str | tuple[float, float, float, float]
 
@@ -421,7 +429,7 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
         values.append(factor * wire.signs * current[wire.elements])
     if few:
         names = wire_names(results, wires)
-        groups = _equal_wires(along, values)
+        groups = equal_over_places(along, values)
         for i, group in enumerate(groups):
             text = name_of_group([f"wire {names[one]}" for one in group], "wire")
             axes.stairs(values[group[0]], along[group[0]], baseline=None, color=colour_of(i, len(groups)),
@@ -438,17 +446,6 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
     axes.set_ylabel(label("current", unit))
     if few and len(wires) > 1:
         legend_beside(axes)
-
-
-def _equal_wires(along: list[np.ndarray], values: list[np.ndarray]) -> list[list[int]]:
-    """Wires in groups with the same values at the same places."""
-    same_places = {one: place for place, group in enumerate(equal_curves(along)) for one in group}
-    groups = equal_curves(values)
-    return [
-        [one for one in group if same_places[one] == place]
-        for group in groups
-        for place in dict.fromkeys(same_places[one] for one in group)
-    ]
 
 
 def _per_increment(results: Results, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -27,6 +27,8 @@ def show_hidden_curves(axes: Axes) -> bool:
     bool
         Whether there are any.
     """
+    # limits follow the curves when someone asks for them, and not before
+    axes.get_xlim(), axes.get_ylim()
     level: dict[int, int] = {}
     curves = list(_curves(axes))
     for number, (artist, points) in enumerate(curves):

@@ -25,20 +25,27 @@ _LINE_WIDTH = 1.5
 
 def main(folder: str) -> None:
     """Read the jobs, draw, write the pictures."""
+    window = off_screen_window()
     for job in sorted(Path(folder).glob("job_*.npz")):
-        picture, n_grey = draw(np.load(job))
+        picture, n_grey = draw(window, np.load(job))
         _SHARED.clear()
         np.savez(job.with_name(job.name.replace("job", "drawn")), picture=picture, n_grey=n_grey)
 
 
-def draw(job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
-    """The picture of a job, (height, width, 3) of bytes, and how many of its pixels show the undeformed axes."""
-    size = job["size"].astype(int)
-    samples = 2 if size.prod() <= _MAX_FINE else 1
-    renderer, window = vtkRenderer(), vtkRenderWindow()
+def off_screen_window() -> vtkRenderWindow:
+    """A window for all pictures: each new one would start OpenGL anew."""
+    window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     # the picture is made of finer pixels anyway
     window.SetMultiSamples(0)
+    return window
+
+
+def draw(window: vtkRenderWindow, job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
+    """The picture of a job, (height, width, 3) of bytes, and how many of its pixels show the undeformed axes."""
+    size = job["size"].astype(int)
+    samples = 2 if size.prod() <= _MAX_FINE else 1
+    renderer = vtkRenderer()
     window.SetSize(*(samples * size).tolist())
     window.AddRenderer(renderer)
     renderer.SetBackground(1.0, 1.0, 1.0)
@@ -64,6 +71,7 @@ def draw(job: Mapping[str, np.ndarray]) -> tuple[np.ndarray, int]:
     width, height = window.GetSize()
     window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
     fine = vtk_to_numpy(pixels).reshape(height, width, 3)[::-1]
+    window.RemoveRenderer(renderer)
     n_grey = int(np.all(fine == np.array(REFERENCE_COLOUR, dtype=np.uint8), axis=2).sum()) // samples**2
     sums = sum(
         fine[row::samples, column::samples].astype(np.uint16) for row in range(samples) for column in range(samples)

@@ -104,7 +104,7 @@ def draw_wires(axes: Axes, scene: Scene, camera: Camera, drawn: Drawn | None) ->
     if drawn is not None:
         axes.imshow(
             drawn.picture, extent=(-camera.half_width, camera.half_width, -camera.half_height, camera.half_height),
-            aspect="auto", interpolation="antialiased",
+            aspect="auto", interpolation="nearest",
         )  # fmt: skip
         return
     points_per_metre = 72 * axes.get_position().width * axes.figure.get_figwidth() / (2 * camera.half_width)

@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
+from matplotlib.legend import Legend
 
 from ..base.quantities import engineering, label, per
 from ..results import Results
@@ -13,6 +13,7 @@ from ..results.contact_history import contacts_over_time
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import per_length, stretch_along
 from . import charts
+from .chart_tools import equal_over_places, legend_beside, name_of_group
 from .charts import MAX_LINES, colour_of, marker, nothing_to_draw, time_label
 
 _MAX_POINTS = 20_000
@@ -30,9 +31,18 @@ def lines(figure: Figure, results: Results, increment: int, wire: int | None = N
         along_wires(axes, results, places, name, wire)
     for axes in all_axes[:-1]:
         axes.set_xlabel("")
-    for axes in all_axes[1:]:
-        if axes.get_legend():
-            axes.get_legend().remove()
+    legends = [axes.get_legend() for axes in all_axes if axes.get_legend()]
+    # one is enough for all charts where it says the same of all
+    if len({_what_it_says(legend) for legend in legends}) == 1:
+        for legend in legends[1:]:
+            legend.remove()
+
+
+def _what_it_says(legend: Legend) -> tuple[object, ...]:
+    """Texts, colours and dashes of a legend."""
+    lines, texts = legend.get_lines(), legend.get_texts()
+    each = zip(texts, lines, strict=True)
+    return tuple((text.get_text(), line.get_color(), line.get_linestyle()) for text, line in each)
 
 
 def force_along_wires(axes: Axes, results: Results, increment: int) -> None:
@@ -67,25 +77,41 @@ def along_wires(axes: Axes, results: Results, places: ContactPlaces, name: str, 
     length_factor, length_unit = engineering(arc, units["m"])
     points = np.stack([length_factor * arc[order], factor * value[order]], axis=1)
     pairs, pair = np.unique(picked.wires[order], axis=0, return_inverse=True)
-    colours = np.array([mpl.colors.to_rgba(colour_of(i, len(pairs))) for i in range(len(pairs))])
-    few = len(pairs) <= MAX_LINES
     first = np.flatnonzero(np.diff(zone[order], prepend=-1))
-    last = np.append(first[1:], len(order)) - 1
-    of_zone = colours[pair.ravel()[first]]
-    lines = np.split(points, first[1:])
-    axes.add_collection(LineCollection(lines, colors=of_zone, linewidths=1.3 if few else 0.7))
-    both = np.concatenate([points[first], points[last]])
-    axes.scatter(*both.T, s=14 if few else 4, c=np.tile(of_zone, (2, 1)), zorder=2.5)
+    drawn = np.split(points, first[1:])
+    if len(pairs) <= MAX_LINES:
+        _few_pairs(axes, pairs, pair.ravel()[first], drawn)
+    else:
+        colours = np.array([mpl.colors.to_rgba(colour_of(i, len(pairs))) for i in range(len(pairs))])
+        of_zone = colours[pair.ravel()[first]]
+        axes.add_collection(LineCollection(drawn, colors=of_zone, linewidths=0.7))
+        ends = np.concatenate([[one[0] for one in drawn], [one[-1] for one in drawn]])
+        axes.scatter(*ends.T, s=4, c=np.tile(of_zone, (2, 1)), zorder=2.5)
+        axes.autoscale_view()
     axes.axhline(0.0, color="#888888", linewidth=0.8, zorder=1)
     axes.set_xlabel(
         label(f"reference arc length of {'the first wire' if wire is None else f'wire {wire + 1}'}", length_unit)
     )
     axes.set_ylabel(label(name, unit))
-    axes.autoscale_view()
-    if few:
-        names = [f"{first}, {second}" for first, second in pairs + 1]
-        handles = [Line2D([], [], color=colour) for colour in colours]
-        axes.legend(handles, names, title="wires", loc="center left", bbox_to_anchor=(1.0, 0.5))
+    if len(pairs) <= MAX_LINES:
+        legend_beside(axes, title="wires")
+
+
+def _few_pairs(axes: Axes, pairs: np.ndarray, of_zone: np.ndarray, zones: list[np.ndarray]) -> None:
+    """A curve for each pair of wires, with gaps between its zones and dots at their ends; equal ones are one curve."""
+    curves = []
+    for i in range(len(pairs)):
+        own = sorted((zones[k] for k in np.flatnonzero(of_zone == i)), key=lambda one: one[0, 0])
+        # a place without a value, which leaves the places in their order
+        gaps = [[one[-1, 0], np.nan] for one in own]
+        curves.append(np.concatenate([part for one, gap in zip(own, gaps, strict=True) for part in (one, [gap])])[:-1])
+    groups = equal_over_places([curve[:, 0] for curve in curves], [curve[:, 1] for curve in curves])
+    for i, group in enumerate(groups):
+        curve, colour = curves[group[0]], colour_of(i, len(groups))
+        text = name_of_group([f"{pairs[one, 0] + 1}–{pairs[one, 1] + 1}" for one in group], "pair")
+        axes.plot(*curve.T, linewidth=1.3, color=colour, label=text)
+        ends = np.concatenate([zones[k][[0, -1]] for k in np.flatnonzero(of_zone == group[0])])
+        axes.scatter(*ends.T, s=14, color=colour, zorder=2.5)
 
 
 def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -> None:
@@ -93,19 +119,18 @@ def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -
     table = contacts_over_time(results, results.steps, results.increments)
     axes.set_title("Contact forces")
     factor, unit = engineering(table["force"], table.units["force"])
-    axes.plot(results.times, factor * table["force"], **marker(table.n_rows), color=colour_of(0, 3), label="sum of all")
+    axes.plot(results.times, factor * table["force"], **marker(table.n_rows), color=colour_of(0, 3))
     axes.set_xlabel(time_label(results))
-    axes.set_ylabel(label("force", unit))
+    axes.set_ylabel(label("sum of all forces", unit), color=colour_of(0, 3))
     axes.set_ylim(bottom=0)
     factor, unit = engineering(table["max_force_per_length"], table.units["max_force_per_length"])
     right = axes.twinx()
     right.grid(visible=False)
-    right.plot(results.times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3),
-               label="largest per length")  # fmt: skip
-    right.set_ylabel(label("force per length", unit))
+    right.plot(
+        results.times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3)
+    )
+    right.set_ylabel(label("largest force per length", unit), color=colour_of(1, 3))
     right.set_ylim(bottom=0)
-    handles = [each.get_lines()[0] for each in (axes, right)]
-    axes.legend(handles, [each.get_label() for each in handles], loc="best")
 
 
 def contacts(figure: Figure, results: Results, increment: int) -> None:

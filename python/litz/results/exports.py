@@ -1,11 +1,11 @@
 """Results for other programs: CSV, VTU series, XDMF, VTKHDF."""
 
 import csv
+import html
 import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -180,7 +180,7 @@ def _write_pvd(path: Path, times: NDArray, files: list[Path]) -> None:
     """ParaView's list of files over time."""
     lines = ['<?xml version="1.0"?>', '<VTKFile type="Collection" version="0.1">', "  <Collection>"]
     for time, file in zip(times.tolist(), files, strict=True):
-        lines.append(f'    <DataSet timestep="{time!r}" part="0" file={quoteattr(file.name)}/>')
+        lines.append(f'    <DataSet timestep="{time!r}" part="0" file="{html.escape(file.name)}"/>')
     path.write_text("\n".join([*lines, "  </Collection>", "</VTKFile>", ""]), encoding="utf-8")
 
 
