@@ -154,13 +154,14 @@ contains
 
       call begin(k, 'DLOAD', place_step, 'Forces on the length of wires, per reference length. PX, PY, PZ: along'// &
          ' the global axes, of fixed direction. P1, P2: along the first and second section axis (*BEAM SECTION),'// &
-         ' with which they turn. GRAV: weight, density (*DENSITY) times area times an acceleration, whose'// &
-         ' direction may have any length. Nodal moments that belong to them act on B33, none on B31. Lines of a'// &
-         ' step for the same element and label add up.')
+         ' with which they turn; those of CalculiX are pressures (litz convert). GRAV: weight, density (*DENSITY)'// &
+         ' times area times an acceleration, whose direction may have any length. All act along the line of the'// &
+         ' nodes (the beam axis of Abaqus), also where the section lies beside it. Nodal moments that belong to'// &
+         ' them act on B33, none on B31. Lines of a step for the same element and label add up.')
       call add_op(k, 'loads')
       whole_model = item_field('element', 'number of an element or name of an element set; GRAV without it acts on all')
       whole_model%required = .false.
-      call k%add_data([whole_model, choice_field('label', load_choices(), 'PX, PY, PZ, P1, P2 or GRAV'), &
+      call k%add_data([whole_model, choice_field('label', load_choices(), 'direction of the force, or weight'), &
          real_field('value', 'N/m', 'force per length; for GRAV the acceleration [m/s^2]'), &
          real_field('x', '', 'GRAV: its direction', required=.false.), &
          real_field('y', '', 'GRAV: its direction', required=.false.), &

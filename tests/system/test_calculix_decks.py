@@ -215,3 +215,50 @@ class TestBeamsBesideTheirNodes:
         # what remains falls with the mesh of bricks: 5.0, 2.0, 1.4 % with 4, 16 and 32 of them
         assert away["middle"] < 0.021
         assert away["node"] == pytest.approx(0.07, abs=0.005)
+
+
+class TestPressuresOnFaces:
+    """Loads P1 and P2 of CalculiX are pressures on the faces of the section."""
+
+    def deck(self, label, section="SECTION=RECT", sizes="0.05, 0.08", more=""):
+        nodes = "".join(f"{k + 1}, {k / 20}, 0, 0\n" for k in range(21))
+        elements = "".join(f"{k + 1}, {2 * k + 1}, {2 * k + 2}, {2 * k + 3}\n" for k in range(10))
+        return (
+            f"*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE=B32R, ELSET=FIRST\n{elements}*ELSET, ELSET=HALF, GENERATE\n1, 5\n"
+            f"*ELSET, ELSET=BEAM\nHALF, 6, 7, 8, 9, 10\n*BOUNDARY\n1, 1, 6\n*MATERIAL, NAME=M\n*ELASTIC\n210000, 0.3\n"
+            f"*BEAM SECTION, ELSET=BEAM, MATERIAL=M, {section}\n{sizes}\n0, 1, 0\n{more}"
+            f"*STEP\n*STATIC\n*DLOAD\nBEAM, {label}, 1e-5\n*NODE PRINT, NSET=ALL\nU\n*END STEP\n"
+        )
+
+    @has_ccx
+    @pytest.mark.parametrize(("label", "along", "across"), [("P1", 0.05, 0.08), ("P2", 0.08, 0.05)])
+    def test_both_programs_bend_alike(self, tmp_path, label, along, across):
+        path = tmp_path / "pressed.inp"
+        path.write_text(self.deck(label))
+        results = litz.run(converted(path), output_directory=tmp_path / "out")
+        found = results.field("displacement")[-1]
+        bending = 1e-5 * across / (8 * 210000 * across * along**3 / 12)
+        shear = 1e-5 * across / (2 * 5 / 6 * 210000 / 2.6 * across * along)
+        # litz in twenty elements
+        assert np.abs(found).max() == pytest.approx(bending + shear, rel=2e-3)
+        # ten bricks of CalculiX, which are 2 % stiffer than that
+        assert found == pytest.approx(displacements_of_calculix(path)[21], rel=0.025, abs=1e-8)
+
+    @pytest.mark.parametrize(("section", "sizes", "reason"), [
+        ("SECTION=CIRC", "0.05", "SECTION=RECT only"),
+        ("SECTION=RECT, OFFSET1=0.5", "0.05, 0.08", "beside the nodes"),
+    ])  # fmt: skip
+    def test_what_has_no_such_force_is_told(self, tmp_path, section, sizes, reason):
+        path = tmp_path / "pressed.inp"
+        path.write_text(self.deck("P1", section, sizes))
+        (told,) = convert_deck(path, "ccx").left_out
+        assert told.startswith("*DLOAD, BEAM, P1: a pressure in CalculiX")
+        assert reason in told
+        assert f"** {told}: BEAM, P1, 1e-05" in convert_deck(path, "ccx").text
+
+    def test_abaqus_has_forces_per_length_and_whose_deck_it_is_must_be_known(self, tmp_path):
+        path = tmp_path / "pressed.inp"
+        path.write_text(self.deck("P1"))
+        assert "BEAM, P1, 1e-5" in convert_deck(path, "abaqus").text
+        with pytest.raises(ValueError, match=r"pressures in CalculiX: which of them is meant must be told by --dialect"):
+            convert_deck(path)

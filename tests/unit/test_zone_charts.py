@@ -42,7 +42,7 @@ def test_curves_that_coincide_are_dashed_in_the_chart_and_in_its_legend(monkeypa
     force = 1e3 + 1e5 * ARC
     axes = chart(monkeypatch, ((0, 1), ARC, force), ((0, 2), ARC, 1.001 * force), ((1, 2), ARC, 2 * force))
     styles = {name: line.get_linestyle() for name, line in curves(axes).items()}
-    assert styles == {"1–2": "-", "1–3": "--", "2–3": "-"}
+    assert styles == {"1-2": "-", "1-3": "--", "2-3": "-"}
     legend = axes.get_legend()
     shown = dict(zip([text.get_text() for text in legend.get_texts()], legend.get_lines(), strict=True))
     assert {name: line.get_linestyle() for name, line in shown.items()} == styles
@@ -51,7 +51,7 @@ def test_curves_that_coincide_are_dashed_in_the_chart_and_in_its_legend(monkeypa
 def test_equal_pairs_are_one_curve(monkeypatch):
     force = 1e3 + 1e5 * ARC
     zones = [((0, k), ARC, force) for k in range(1, 5)] + [((0, 5), ARC + 0.01, force)]
-    assert set(curves(chart(monkeypatch, *zones))) == {"4 equal pairs: 1–2, 1–3, ... 1–5", "1–6"}
+    assert set(curves(chart(monkeypatch, *zones))) == {"4 equal pairs: 1-2, 1-3, ... 1-5", "1-6"}
 
 
 def test_zones_of_a_pair_are_one_curve_with_gaps(monkeypatch):

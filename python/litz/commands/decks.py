@@ -52,7 +52,7 @@ def convert_command(arguments: list[str]) -> int:
         "--dialect",
         choices=DIALECTS,
         help="whose deck it is; needed if it has a *BEAM SECTION, SECTION=CIRC, whose value is the radius in Abaqus, but the"
-        " diameter in CalculiX",
+        " diameter in CalculiX, or a *DLOAD P1 or P2, which is a force per length in Abaqus, but a pressure in CalculiX",
     )
     parser.add_argument(
         "--radius",

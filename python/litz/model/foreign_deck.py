@@ -11,6 +11,7 @@ from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import keywords, squeezed
 from .abaqus_mesh import round_section
 from .beam_surfaces import remove_pair_parameters, surfaces_as_sets
+from .face_pressures import pressures_as_forces
 from .materials import General, Material
 
 
@@ -50,7 +51,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     path : Path
         The deck.
     dialect : {"abaqus", "ccx"}, optional
-        Whose it is; needed where it has round sections.
+        Whose it is; needed where it has round sections, or loads P1 or P2.
     units : dict, optional
         Labels of `*UNITS`, such as `{"LENGTH": "mm"}`, where the deck has none.
 
@@ -66,6 +67,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     for parameter in remove_pair_parameters(cards):
         told = converted.left_out if parameter == "SMALL SLIDING" else converted.ignored
         told.append(f"{parameter} of *CONTACT PAIR: wires touch at points, which may slide any distance")
+    converted.left_out += pressures_as_forces(cards, dialect, path)
     chunks = [_converted(card, dialect, materials, path) for card in cards]
     commented = {place for place, _, _ in surfaces}
     for place, new, reason in surfaces:

@@ -108,7 +108,7 @@ def _few_pairs(axes: Axes, pairs: np.ndarray, of_zone: np.ndarray, zones: list[n
     groups = equal_over_places([curve[:, 0] for curve in curves], [curve[:, 1] for curve in curves])
     for i, group in enumerate(groups):
         curve, colour = curves[group[0]], colour_of(i, len(groups))
-        text = name_of_group([f"{pairs[one, 0] + 1}–{pairs[one, 1] + 1}" for one in group], "pair")
+        text = name_of_group([f"{pairs[one, 0] + 1}-{pairs[one, 1] + 1}" for one in group], "pair")
         axes.plot(*curve.T, linewidth=1.3, color=colour, label=text)
         ends = np.concatenate([zones[k][[0, -1]] for k in np.flatnonzero(of_zone == group[0])])
         axes.scatter(*ends.T, s=14, color=colour, zorder=2.5)
