@@ -79,6 +79,7 @@ contains
       type(error_t), intent(in) :: error
       type(error_t), allocatable :: grown(:)
 
+      if (is_told(self, error)) return
       if (self%is_full()) then
          call self%skip()
          return
@@ -92,6 +93,24 @@ contains
       self%count = self%count + 1
       self%items(self%count) = error
    end subroutine error_list_add
+
+   !> The same has been said of the same place: lines of a part are read once for each of its instances.
+   pure logical function is_told(self, error)
+      type(error_list_t), intent(in) :: self
+      type(error_t), intent(in) :: error
+      integer :: i
+
+      is_told = .false.
+      if (.not. allocated(error%file)) return
+      do i = 1, self%count
+         associate (item => self%items(i))
+            if (item%line /= error%line .or. item%column /= error%column .or. item%message /= error%message) cycle
+            if (.not. allocated(item%file)) cycle
+            is_told = item%file == error%file
+            if (is_told) return
+         end associate
+      end do
+   end function is_told
 
    pure logical function error_list_is_full(self)
       class(error_list_t), intent(in) :: self

@@ -61,8 +61,10 @@ module litz_foreign_words
       'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh'), &
       foreign_word_t('SYSTEM', '', '', 'coordinates are global; *TRANSFORM gives supports and loads axes of their'// &
       ' own'), &
-      foreign_word_t('ORIENTATION|NORMAL', '', '', 'leave it out: the second data line of'// &
+      foreign_word_t('NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
+      foreign_word_t('ORIENTATION', '', '', 'leave it out: it is of no use to beams, whose first axis is the second'// &
+      ' data line of *BEAM SECTION', role_idle), &
       foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &
       'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
       ' (or PIN NSET=...); wires that are joined share a node'), &
@@ -77,10 +79,11 @@ module litz_foreign_words
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*SURFACE BEHAVIOR, YIELD)'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
-      'leave it out: *CONTACT PAIR names element sets'), &
+      'leave it out: *CONTACT PAIR names element sets, which `litz convert THIS.inp NEW.inp` makes of surfaces around'// &
+      ' beams'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
       'SURFACE PROPERTY ASSIGNMENT', '', '', 'use *CONTACT PAIR, INTERACTION=...; one element set in its data'// &
-      ' line: all its wires may touch'), &
+      ' line: all its wires may touch (`litz convert THIS.inp NEW.inp` does)'), &
       foreign_word_t('CONTACT INTERFERENCE', '', '', 'use *CONTACT PAIR, INTERFERENCE FIT'), &
       foreign_word_t('CONTACT CONTROLS|CONTACT STABILIZATION|CONTACT DAMPING', '', '', &
       'leave it out; *CONTROLS, PARAMETERS=STABILIZE damps what only contacts can hold'), &
@@ -112,7 +115,7 @@ module litz_foreign_words
    type(foreign_word_t), parameter :: of_parameters(*) = [ &
       foreign_word_t('STATIC', 'RIKS', '', 'there is no arc length: prescribe displacements instead of the load,'// &
       ' or use *CONTROLS, PARAMETERS=STABILIZE'), &
-      foreign_word_t('STATIC', 'STABILIZE|ALLSDTOL', '', 'use *CONTROLS, PARAMETERS=STABILIZE'), &
+      foreign_word_t('STATIC', 'STABILIZE|ALLSDTOL|FACTOR|CONTINUE', '', 'use *CONTROLS, PARAMETERS=STABILIZE'), &
       foreign_word_t('STATIC', 'SOLVER', '', 'use *SOLVER, NAME=...'), &
       foreign_word_t('STEP', 'PERTURBATION', '', 'every step is nonlinear: leave it out'), &
       foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE defines other histories'), &

@@ -327,6 +327,8 @@ contains
       set = builder%names%get(name_of(self, token))
       if (set > 0) return
       if (may_be_defined(self, trim(merge('NSET ', 'ELSET', what == 'node')), token)) return
+      ! surfaces, which contact pairs of other programs name
+      if (what == 'element' .and. may_be_defined(self, 'NAME', token)) return
       if (is_known_as_missing()) return
       call fail_at(self, token, 'there is no '//what//' set '//self%deck%shown(token)//other_kind()// &
          names_hint(self, builder%names, token))

@@ -260,5 +260,7 @@ class TestPressuresOnFaces:
         path = tmp_path / "pressed.inp"
         path.write_text(self.deck("P1"))
         assert "BEAM, P1, 1e-5" in convert_deck(path, "abaqus").text
-        with pytest.raises(ValueError, match=r"pressures in CalculiX: which of them is meant must be told by --dialect"):
+        with pytest.raises(
+            ValueError, match=r"pressures in CalculiX: which of them is meant must be told by --dialect"
+        ):
             convert_deck(path)

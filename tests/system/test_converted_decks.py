@@ -109,7 +109,12 @@ def test_what_is_left_out_is_told_with_its_reason_and_stands_as_a_comment(conver
     # the deck is written, but results without the load are others: a script must not go on
     assert done.returncode == 1
     same, others = done.stderr.split("comments, WITHOUT WHICH THE RESULTS ARE OTHERS:\n")
-    assert [re.search(r"\*[A-Z]+", line)[0] for line in same.splitlines()[1:]] == ["*STEP", "*PREPRINT", "*OUTPUT"]
+    assert [re.search(r"\*[A-Z]+", line)[0] for line in same.splitlines()[1:]] == [
+        "*BEAM",
+        "*STEP",
+        "*PREPRINT",
+        "*OUTPUT",
+    ]
     assert [re.search(r"\*[A-Z]+", line)[0] for line in others.splitlines()] == ["*DSLOAD"]
     assert (
         "** litz has no *DSLOAD: beams have no surfaces: *DLOAD gives forces per length:\n** *Dsload\n** Surf-1, P, 1.\n"
@@ -429,3 +434,98 @@ def test_surfaces_of_parts_have_the_name_of_their_instance(convert):
     _, new = convert(CAE.replace("*End Part\n", part).replace("*Step, name=Modes", pair))
     assert "*ELSET, ELSET=Bar-1.Skin\n Bar-1.Set-1\n" in new
     assert "*ELSET, ELSET=Bar-2.Skin\n Bar-2.Set-1\n" in new
+
+
+#: Two wires of one part that cross, with the contact of Abaqus/CAE: of surfaces, or of all exterior ones
+CROSSING = """\
+*Part, name=Wire
+*Node
+ 1, -10., 0., 0.
+ 2, 1., 0., 0.
+ 3, 10., 0., 0.
+*Element, type=B31
+1, 1, 2
+2, 2, 3
+*Elset, elset=Set-1, internal, generate
+ 1, 2, 1
+*Surface, type=ELEMENT, name=Surf-1
+Set-1,
+*Orientation, name=Ori-1
+ 1., 0., 0., 0., 1., 0.
+1, 0.
+*Beam Section, elset=Set-1, material=Steel, temperature=GRADIENTS, section=CIRC
+0.5
+0.,1.,0.
+*End Part
+*Assembly, name=Assembly
+*Instance, name=Wire-1, part=Wire
+*End Instance
+*Instance, name=Wire-2, part=Wire
+ 3., 0., 1.
+ 0., 0., 1., 0., 0., 2., 90.
+*End Instance
+*End Assembly
+*Material, name=Steel
+*Elastic
+210000., 0.3
+*Surface Interaction, name=IntProp-1
+1.,
+*Friction, slip tolerance=0.005
+ 0.3,
+*Surface Behavior, pressure-overclosure=HARD
+*Boundary
+Wire-1.Set-2, ENCASTRE
+{contact}*Step, name=Step-1, nlgeom=YES, inc=1000, unsymm=YES
+*Static, stabilize=0.0002, allsdtol=0.05, continue=NO
+0.5, 1., 1e-05, 1.
+*Boundary
+Wire-2.Set-2, 1, 2
+Wire-2.Set-2, 3, 3, -0.01
+Wire-2.Set-2, 4, 6
+*End Step
+""".replace("*Elset", "*Nset, nset=Set-2\n 1, 3\n*Elset", 1)
+PAIR = "*Contact Pair, interaction=IntProp-1, type=SURFACE TO SURFACE\nWire-1.Surf-1, Wire-2.Surf-1\n"
+GENERAL = "*Contact\n*Contact Inclusions, ALL EXTERIOR\n*Contact Property Assignment\n , , IntProp-1\n"
+
+
+class TestContactOfAbaqus:
+    @pytest.mark.parametrize("contact", [PAIR, GENERAL])
+    def test_a_deck_of_cae_runs_once_it_is_converted(self, convert, litz, tmp_path, contact):
+        done, text = convert(CROSSING.replace("{contact}", contact), "--dialect", "abaqus")
+        same, others = done.stderr.split("comments, WITHOUT WHICH THE RESULTS ARE OTHERS:\n")
+        assert [line.split(":")[0].strip() for line in others.splitlines()] == [
+            "PRESSURE-OVERCLOSURE=HARD of *SURFACE BEHAVIOR is HERTZ", *(
+                f"{name} of *STATIC" for name in ("STABILIZE", "ALLSDTOL", "CONTINUE"))]  # fmt: skip
+        for name in (
+            "TEMPERATURE of *BEAM SECTION",
+            "SLIP TOLERANCE of *FRICTION",
+            "UNSYMM of *STEP",
+            "no *ORIENTATION",
+        ):
+            assert name in same
+        run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+        assert run.returncode == 0, run.stderr
+        # only that displacements are large, which the deck says
+        assert "warning" not in run.stderr
+        results = Results(tmp_path / "out")
+        assert results.contacts_at(-1).n_rows == 1
+        # turned by 90 degrees: what was zero is zero
+        assert results.nodes[3:].tolist() == [[0, -7, 1], [0, 4, 1], [0, 13, 1]]
+
+    @pytest.mark.parametrize("change", [
+        ("*Contact Property", "*Contact Exclusions\nA, B\n*Contact Property"), (", , IntProp-1", "A, B, IntProp-1"),
+        ("ALL EXTERIOR", "ALL ELEMENT BASED"),
+    ])  # fmt: skip
+    def test_general_contact_of_some_surfaces_stays_a_comment(self, convert, change):
+        done, text = convert(CROSSING.replace("{contact}", GENERAL.replace(*change)), "--dialect", "abaqus")
+        assert "CONTACT PAIR, INTERACTION=IntProp-1" not in text
+        assert "litz has no *CONTACT INCLUSIONS" in done.stderr.split("WITHOUT WHICH")[1]
+
+    def test_what_is_wrong_in_a_part_is_told_once_and_pairs_of_its_surfaces_not_at_all(self, litz, tmp_path):
+        (tmp_path / "deck.inp").write_text(CROSSING.replace("{contact}", PAIR))
+        done = command("check", "deck.inp", cwd=tmp_path)
+        assert done.stderr.count("litz has no *SURFACE") == 1
+        assert "`litz convert THIS.inp NEW.inp`" in done.stderr
+        # of no use to beams: a warning
+        assert done.stderr.count("warning: litz has no *ORIENTATION") == 1
+        assert "there is no element set" not in done.stderr

@@ -115,10 +115,14 @@ def rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
     if not length > 0:
         raise FileError("the axis of the rotation of an *INSTANCE has no length")
     axis, angle = (b - a) / length, np.deg2rad(degrees)
+    cosine, sine = np.cos(angle), np.sin(angle)
+    if degrees % 90 == 0:
+        # exactly, so that places that were zero stay so
+        cosine, sine = np.rint(cosine), np.rint(sine)
     arms = places - a
     # Rodrigues' rotation formula
     along = np.outer(arms @ axis, axis)
-    return a + np.cos(angle) * (arms - along) + np.sin(angle) * np.cross(axis, arms) + along
+    return a + cosine * (arms - along) + sine * np.cross(axis, arms) + along
 
 
 class _Instances:

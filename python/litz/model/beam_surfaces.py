@@ -4,8 +4,6 @@ from collections.abc import Iterator
 
 from ..deck import Card
 
-#: How other programs find contact, of `*CONTACT PAIR`
-_WAYS = ("TYPE", "SMALL SLIDING", "TRACKING", "MECHANICAL CONSTRAINT", "EXTENSION ZONE")
 #: Sides of a wire, which are no places of their own
 _ENDS = ("END1", "END2")
 
@@ -35,18 +33,6 @@ def surfaces_as_sets(cards: list[Card]) -> Iterator[tuple[int, Card | None, str]
         taken.add(name.upper())
         rows = [members[first : first + 16] for first in range(0, len(members), 16)]
         yield place, Card.make("ELSET", {"ELSET": name}, rows), ""
-
-
-def remove_pair_parameters(cards: list[Card]) -> list[str]:
-    """Take from contact pairs how other programs find contact; which of these parameters there were."""
-    found = {}
-    for card in cards:
-        if card.is_a("CONTACT PAIR"):
-            for name in _WAYS:
-                if name in card:
-                    found[name] = True
-                    del card[name]
-    return list(found)
 
 
 def _reason(card: Card) -> str:

@@ -10,8 +10,10 @@ from ..deck import Card, Deck
 from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import keywords, squeezed
 from .abaqus_mesh import round_section
-from .beam_surfaces import remove_pair_parameters, surfaces_as_sets
+from .beam_surfaces import surfaces_as_sets
 from .face_pressures import pressures_as_forces
+from .foreign_parameters import remove_foreign_parameters
+from .general_contact import general_contact
 from .materials import General, Material
 
 
@@ -64,9 +66,8 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     converted = ConvertedDeck("")
     materials = _materials(cards)
     surfaces = list(surfaces_as_sets(cards))
-    for parameter in remove_pair_parameters(cards):
-        told = converted.left_out if parameter == "SMALL SLIDING" else converted.ignored
-        told.append(f"{parameter} of *CONTACT PAIR: wires touch at points, which may slide any distance")
+    for reason, matters in remove_foreign_parameters(cards):
+        (converted.left_out if matters else converted.ignored).append(reason)
     converted.left_out += pressures_as_forces(cards, dialect, path)
     chunks = [_converted(card, dialect, materials, path) for card in cards]
     commented = {place for place, _, _ in surfaces}
@@ -74,6 +75,12 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         chunks[place] = "".join(cards[place].comments) + new.text if new else _commented(cards[place], reason)
         if reason:
             converted.left_out.append(reason)
+    general = general_contact(cards)
+    for place, new in general.items():
+        chunks[place] = _commented(cards[place], "") + "".join(card.text for card in new)
+        commented.add(place)
+    if general:
+        converted.ignored.append("*CONTACT INCLUSIONS, ALL EXTERIOR is a *CONTACT PAIR of all wires with each other")
     for first, last in _steps(cards):
         reason = _reason_to_leave_out(cards[first : last + 1])
         if reason:
