@@ -79,8 +79,8 @@ module litz_foreign_words
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*SURFACE BEHAVIOR, YIELD)'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &
-      'leave it out: *CONTACT PAIR names element sets, which `litz convert THIS.inp NEW.inp` makes of surfaces around'// &
-      ' beams'), &
+      'leave it out: *CONTACT PAIR names element sets, which `litz convert THIS.inp NEW.inp` makes of surfaces'// &
+      ' around beams'), &
       foreign_word_t('CONTACT|CONTACT INCLUSIONS|CONTACT EXCLUSIONS|CONTACT PROPERTY ASSIGNMENT|'// &
       'SURFACE PROPERTY ASSIGNMENT', '', '', 'use *CONTACT PAIR, INTERACTION=...; one element set in its data'// &
       ' line: all its wires may touch (`litz convert THIS.inp NEW.inp` does)'), &

@@ -224,7 +224,7 @@ contains
       case (contact_unknown_law)
          words = 'there is no law with the number of option 1 or option 2'
       case (contact_bad_data)
-         words = 'the forces of the spot law TABLE do not ascend, or are not positive'
+         words = 'a length, radius, modulus or resistivity is not positive, or the forces of a TABLE do not ascend'
       case (contact_compacts)
          words = 'the spot of wires that yield is too large for their thickness'
       case default

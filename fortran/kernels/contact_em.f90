@@ -46,6 +46,7 @@ module litz_contact_em
    !> The closest points were not found: coincident nodes, or numbers that are not finite
    integer, parameter :: contact_not_converged = -3
    integer, parameter :: contact_unknown_law = -4
+   !> A length, radius, Young's modulus or resistivity that is not positive, or a table that does not ascend
    integer, parameter :: contact_bad_data = -5
    !> The spot of wires that yield is too large for their thickness
    integer, parameter :: contact_compacts = -6
@@ -194,6 +195,8 @@ contains
       integer :: law_info
       logical :: is_round(2)
 
+      info = contact_bad_data
+      if (.not. (all(length > 0) .and. all(wires%radius > 0))) return
       is_round = laws%ends /= 0
       if (any(is_round)) then
          call find_contact_at_ends(x, t, length, laws%axis, wires%radius, laws%ends, contact, info)
@@ -204,6 +207,8 @@ contains
 
       ! the force ...
       if (laws%normal%uses_ellipse .or. laws%spot%uses_ellipse) then
+         info = contact_bad_data
+         if (.not. all(wires%young > 0)) return
          if (any(is_round)) then
             call hertz_ellipse(wires%radius, wires%young, wires%poisson, contact%angle, ellipse, law_info, is_round)
          else
@@ -228,6 +233,9 @@ contains
          call contact_spot(laws%spot, contact%force, wires, ellipse, acting%spot, law_info)
          if (law_info == spot_bad_data) info = contact_bad_data
          if (law_info /= spot_ok) return
+         info = contact_bad_data
+         ! without a resistivity it is not finite
+         if (.not. abs(acting%spot%conductance) <= huge(1.0_dp)) return
       else
          ! what it follows is the overlap, and the angle at fixed overlap
          of_spot = force_of_gap_t(normal%force, -1.0_dp)

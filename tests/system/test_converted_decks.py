@@ -491,7 +491,7 @@ GENERAL = "*Contact\n*Contact Inclusions, ALL EXTERIOR\n*Contact Property Assign
 class TestContactOfAbaqus:
     @pytest.mark.parametrize("contact", [PAIR, GENERAL])
     def test_a_deck_of_cae_runs_once_it_is_converted(self, convert, litz, tmp_path, contact):
-        done, text = convert(CROSSING.replace("{contact}", contact), "--dialect", "abaqus")
+        done, _ = convert(CROSSING.replace("{contact}", contact), "--dialect", "abaqus")
         same, others = done.stderr.split("comments, WITHOUT WHICH THE RESULTS ARE OTHERS:\n")
         assert [line.split(":")[0].strip() for line in others.splitlines()] == [
             "PRESSURE-OVERCLOSURE=HARD of *SURFACE BEHAVIOR is HERTZ", *(

@@ -248,3 +248,18 @@ def test_a_contact_that_opens_has_no_force_until_it_closes_again(run_of_input):
     assert len(force) == len(results.times)
     assert force[2.0] == 0
     assert min(force[1.9], force[2.1]) > 0
+
+
+@pytest.mark.parametrize(("card", "text"), [
+    ("*Beam Section, elset=WIRE, material=M, section=RECT\n 1e-3, 2e-3", "sections are drawn as circles"),
+    ("*BEAM SECTION, ELSET=WIRE, MATERIAL=M, SECTION=PIPE\n 1e-3, 2e-4", ""),
+])  # fmt: skip
+def test_a_picture_says_where_sections_are_not_round(run, card, text):
+    _, results = run(
+        f"*NODE, NSET=N\n 1, 0, 0, 0\n 2, 0.1, 0, 0\n*ELEMENT, TYPE=B33, ELSET=WIRE\n 1, 1, 2\n*MATERIAL, NAME=M\n*ELASTIC\n"
+        f" 2e11, 0.3\n{card}\n 0, 1, 0\n*BOUNDARY\n 1, ENCASTRE\n*STEP\n*STATIC\n*CLOAD\n 2, 3, 1\n*END STEP\n"
+    )
+    assert SceneMaker(results, [-1]).scene(-1).shape_text == text
+    figure = Figure(figsize=(8, 6))
+    plots._wires(figure, results, -1, plots.Look())
+    assert any(text in note.get_text() for note in figure.texts) or not text

@@ -31,6 +31,7 @@ program test_user_elements
 
    call test_abaqus_equals_the_kernel()
    call test_the_kernel_refuses_a_table_that_was_never_given()
+   call test_the_kernel_refuses_wires_without_properties()
    call test_abaqus_gives_what_it_is_asked_for()
    call test_the_tangent_is_the_derivative()
    call test_a_pair_that_is_apart_gives_nothing()
@@ -132,6 +133,33 @@ contains
       call call_kernel('TABLE', k_kernel, r_kernel, contact, info)
       call expect(info == contact_bad_data, 'no table')
    end subroutine test_the_kernel_refuses_a_table_that_was_never_given
+
+   !> What a program that calls the kernel by itself forgets to set is zero, or anything.
+   subroutine test_the_kernel_refuses_wires_without_properties()
+      real(dp), parameter :: x(3, 4) = reshape([-0.01_dp, 0.0_dp, 0.001998_dp, 0.01_dp, 0.0_dp, 0.001998_dp, &
+         0.0_dp, -0.01_dp, 0.0_dp, 0.0_dp, 0.01_dp, 0.0_dp], [3, 4])
+      real(dp), parameter :: t(3, 4) = reshape(real([1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0], dp), [3, 4])
+      real(dp) :: k_kernel(28, 28), r_kernel(28), length(2)
+      type(wire_pair_t) :: wires
+      type(contact_laws_t) :: laws
+      type(contact_em_t) :: contact
+      integer :: missing, info
+      integer, parameter :: nothing = 0, radii = 1, moduli = 2, resistivities = 3, lengths = 4
+
+      laws%normal = normal_law('HERTZ')
+      laws%spot = spot_law('HERTZ')
+      do missing = nothing, lengths
+         wires%radius = merge(0.0_dp, 1.0e-3_dp, missing == radii)
+         wires%young = merge(0.0_dp, 120.0e9_dp, missing == moduli)
+         wires%poisson = 0.34_dp
+         wires%resistivity = merge(0.0_dp, 1.7e-8_dp, missing == resistivities)
+         length = merge(0.0_dp, 0.02_dp, missing == lengths)
+         call contact_em(x, t, length, [1.0e-3_dp, 1.0e-3_dp, 0.0_dp, 0.0_dp], wires, laws, 0, k_kernel, r_kernel, &
+            contact, info)
+         call expect(info == merge(contact_active, contact_bad_data, missing == nothing), 'what is missing is seen')
+         if (missing /= nothing) call expect(all(abs(r_kernel) <= 0), 'no forces')
+      end do
+   end subroutine test_the_kernel_refuses_wires_without_properties
 
    subroutine call_kernel(spot_name, k_kernel, r_kernel, contact, info)
       character(len=*), intent(in) :: spot_name

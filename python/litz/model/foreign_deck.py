@@ -75,12 +75,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         chunks[place] = "".join(cards[place].comments) + new.text if new else _commented(cards[place], reason)
         if reason:
             converted.left_out.append(reason)
-    general = general_contact(cards)
-    for place, new in general.items():
-        chunks[place] = _commented(cards[place], "") + "".join(card.text for card in new)
-        commented.add(place)
-    if general:
-        converted.ignored.append("*CONTACT INCLUSIONS, ALL EXTERIOR is a *CONTACT PAIR of all wires with each other")
+    commented |= _replace_general_contact(cards, chunks, converted)
     for first, last in _steps(cards):
         reason = _reason_to_leave_out(cards[first : last + 1])
         if reason:
@@ -106,6 +101,16 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         chunks.insert(at, Card.make("UNITS", dict(units)).text)
     converted.text = "".join(chunk if chunk.endswith("\n") else chunk + "\n" for chunk in chunks)
     return converted
+
+
+def _replace_general_contact(cards: list[Card], chunks: list[str], converted: ConvertedDeck) -> set[int]:
+    """Make comments of the cards of general contact, and a pair; the places of these cards."""
+    general = general_contact(cards)
+    for place, pair in general.items():
+        chunks[place] = _commented(cards[place], "") + "".join(card.text for card in pair)
+    if general:
+        converted.ignored.append("*CONTACT INCLUSIONS, ALL EXTERIOR is a *CONTACT PAIR of all wires with each other")
+    return set(general)
 
 
 def _known(name: str) -> bool:

@@ -367,7 +367,7 @@ class WireModel(Names):
         if isinstance(material, str):
             if material not in self._materials:
                 hint = nearest_name(material, self._materials)
-                there = ", ".join(self._materials) or "none"
+                there = ", ".join(self._materials) or "none yet; give a Material, such as litz.COPPER"
                 raise ValueError(f"there is no material {material!r}{hint}; there are: {there}")
             material = self._materials[material]
         if not isinstance(material, Material):

@@ -294,6 +294,8 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
         notes.append("grey: undeformed axes")
+    if scene.shape_text:
+        notes.append(scene.shape_text)
     if scale != 1.0:
         notes.append(f"displacements times {scale:g}")
     if drawn is None:

@@ -1,5 +1,6 @@
 """What a picture of the wires shows, in metres, and the camera that looks at it."""
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,10 @@ from ..wires.curves import element_curves, hermite
 from .contact_marks import ContactMarks, Spots
 
 _MAX_POINTS = 60_000
+# A section that is not round
+_OTHER_SHAPE = re.compile(
+    r"^\*BEAM *(?:GENERAL *)?SECTION\b[^\n]*, *SECTION *= *(?!CIRC|PIPE)", re.IGNORECASE | re.MULTILINE
+)
 #: Directions to the viewer that have a name
 VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1),
          "iso": (1, -1, 0.8)}  # fmt: skip
@@ -45,6 +50,8 @@ class Scene:
         Largest force per length; the colours begin at 0.
     title, spot_text : str
         What the colours and the spots mean, with units.
+    shape_text : str
+        What is to be said of the shape of the wires; empty where they are as they look.
     limits : tuple of float
         Range of the colours.
     colours : str
@@ -72,6 +79,7 @@ class Scene:
     line_limit: float
     title: str
     spot_text: str
+    shape_text: str
     limits: tuple[float, float]
     colours: str
     length_unit: str
@@ -129,6 +137,7 @@ class SceneMaker:
         )
         self._marks = ContactMarks(results, increments, spots)
         self._patches = surface_patches(results, increments)
+        self._shape_text = _shape_text(results)
         self._wires = results.wires
         self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
 
@@ -169,6 +178,7 @@ class SceneMaker:
             line_limit=self._marks.line_factor * self._marks.line_limit,
             title=self._title,
             spot_text=self._marks.text(increment),
+            shape_text=self._shape_text,
             limits=self._limits,
             colours=self._colours,
             length_unit=results.unit_labels["m"],
@@ -188,6 +198,16 @@ class SceneMaker:
             rims.append(first + patch.rim)
             first += len(patch.points)
         return np.concatenate(points), np.concatenate(quads), np.concatenate(rims)
+
+
+def _shape_text(results: Results) -> str:
+    """What is to be said of sections that are not round."""
+    try:
+        deck = results.deck
+    except (KeyError, OSError):
+        # not from this program
+        return ""
+    return "sections are drawn as circles" if _OTHER_SHAPE.search(deck) else ""
 
 
 def sample_wires(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:
