@@ -11,7 +11,7 @@ from PIL import Image
 
 import litz
 from litz.cli import main
-from litz.pictures import animation, charts
+from litz.pictures import animation, charts, plots
 from litz.pictures.friction_charts import friction_loops
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.wire_picture import discs

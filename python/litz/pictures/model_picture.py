@@ -123,7 +123,7 @@ def model_scene(model: LoadedModel) -> Scene:
         surface_points=corners, surface_quads=quads, surface_rim=rim,
         spots=Spots.none(), spot_radius=np.zeros(0),
         lines=Spots.none(), line_pieces=np.zeros((0, 2), dtype=int), line_value=np.zeros(0), line_ends=nothing,
-        line_title="", line_limit=0.0, title="", spot_text="",
+        line_title="", line_limit=0.0, title="", spot_text="", shape_text="",
         limits=(0.0, float(N_COLOURS)), colours=COLOUR_MAP, length_unit=length_unit(model),
     )  # fmt: skip
 
