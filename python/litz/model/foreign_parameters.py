@@ -7,11 +7,15 @@ from ..deck import Card
 
 
 class _Foreign(NamedTuple):
-    """Parameters of a keyword, why litz has none of them, and whether results change without."""
+    """Parameters that other programs alone have."""
 
+    #: The keywords that have them
     keywords: tuple[str, ...]
+    #: Their names
     parameters: tuple[str, ...]
+    #: Why litz has none of them
     reason: str
+    #: Whether results change without
     matters: bool = False
 
 
