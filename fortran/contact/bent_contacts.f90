@@ -8,10 +8,11 @@
 !> Source: theory section 10, with (10.14a) and (10.14b).
 module litz_bent_contacts
    use litz_kinds, only: dp, pi
-   use litz_axis, only: axis_row, axis_shape, on_axis
+   use litz_axis, only: axis_shape, on_axis
    use litz_bent_wires, only: bent_crossing_t, bent_crossing
    use litz_closest_points, only: parallel_sine
-   use litz_contact_points, only: contact_point_t, pair_geometry, axis_of_pair
+   use litz_contact_bending, only: bends_seen_t, risen
+   use litz_contact_points, only: contact_point_t, axis_of_pair
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_lens_law, only: smooth_step
@@ -21,29 +22,31 @@ module litz_bent_contacts
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: feels_bends, is_bent, bends_of, sine_of_bends, see_bends, settle_bends, follow_bends, change_of_bends
+   public :: feels_bends, is_bent, resists_bending, bends_of, sine_of_bends, see_bends, settle_bends, follow_bends, &
+      change_of_bends, change_of_resistance
 
    !> Angle by which a wire turns at a node from which on that begins to be a kink, which it is at 20 degrees
    real(dp), parameter :: begins_to_kink = 10*pi/180, is_kink = 20*pi/180
+   !> Places from which on the force on an element is whole, and has gone
+   real(dp), parameter :: far_from_node = 0.8_dp, at_node = 0.95_dp
    !> Cosine of the angle of the law below which the energy is a parabola over it
    real(dp), parameter :: flat = 1.0e-4_dp
 
-   !> Curvature vector of an axis as the law sees it.
-   type :: seen_curvature_t
-      !> At a place (3) [1/m], and how it changes along xi
-      real(dp) :: there(3) = 0, slope(3) = 0
-      !> What the law sees of it there: all but near kinks [-]
-      real(dp) :: part = 1
-   end type seen_curvature_t
-
 contains
 
-   !> A penalty does not depend on how the surfaces part.
+   !> A penalty does not depend on how the surfaces part; a dent has their shape, which stays as the wires bend on.
    pure logical function feels_bends(law)
       type(normal_law_t), intent(in) :: law
 
-      feels_bends = law%uses_ellipse
+      feels_bends = law%uses_ellipse .and. .not. law%yields()
    end function feels_bends
+
+   !> Its energy changes with the curvatures.
+   pure logical function resists_bending(point)
+      type(contact_point_t), intent(in) :: point
+
+      resists_bending = any(abs(point%bends%by_curvature) > 0) .and. .not. any(point%held)
+   end function resists_bending
 
    pure logical function is_bent(point)
       type(contact_point_t), intent(in) :: point
@@ -88,10 +91,10 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       point%bends%by_curvature = 0
-      if (is_bent(point) .and. .not. (law%yields() .or. any(point%held) .or. is_cut(point%lens))) then
+      if (feels_bends(law) .and. .not. (any(point%held) .or. is_cut(point%lens))) then
          point%bends%by_curvature = energy_by_curvature(point)
       end if
-      call see_bends(model, wires, elements, x, rotation, law, .false., point)
+      call see_bends(model, wires, elements, x, rotation, law, .false., .false., point)
    end subroutine settle_bends
 
    !> The curvatures of wires that do not touch, at the end of an increment: of those that do they are settled.
@@ -109,38 +112,33 @@ contains
          if (points(i)%gap < 0) cycle
          points(i)%bends%by_curvature = 0
          call see_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
-            points(i)%pair)%interaction)%normal, .false., points(i))
+            points(i)%pair)%interaction)%normal, .false., .false., points(i))
       end do
       !$omp end parallel do
    end subroutine follow_bends
 
-   !> The force by which the contact resists to be bent otherwise, and the curvatures that its law sees.
-   pure subroutine see_bends(model, wires, elements, x, rotation, law, stay, point)
+   !> How the wires are bent, and the curvatures that the law of the contact sees.
+   pure subroutine see_bends(model, wires, elements, x, rotation, law, stay, places_stay, point)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(normal_law_t), intent(in) :: law
-      !> The curvatures do
-      logical, intent(in) :: stay
+      !> The curvatures do, and the places at which the axes bend
+      logical, intent(in) :: stay, places_stay
       !> With its kinematics
       type(contact_point_t), intent(inout) :: point
-      type(seen_curvature_t) :: seen(2)
-      logical :: has_force
 
       if (.not. stay) point%bends%curvature = 0
       point%bends%are_known = .true.
-      point%bent_force = 0
       if (.not. feels_bends(law)) return
-      has_force = any(abs(point%bends%by_curvature) > 0) .and. .not. any(point%held)
-      if (stay .and. .not. has_force) return
-      associate (axis => axis_of_pair(model, point%pair), n => point%kinematics%normal)
-         seen(1) = curvature_seen(model, wires, elements, axis, point%element_bar, point%xi_bar, x, rotation)
-         seen(2) = curvature_seen(model, wires, elements, axis, point%element, point%xi, x, rotation)
-         if (.not. stay) point%bends%curvature = [dot_product(n, seen(1)%there), -dot_product(n, seen(2)%there)]
-         if (has_force) point%bent_force = matmul(rows_of_curvature(model, wires, elements, axis, x, rotation, seen, &
-            point), point%bends%by_curvature)
+      if (stay .and. (places_stay .or. .not. resists_bending(point))) return
+      point%bends_seen = curvatures_seen(model, wires, elements, axis_of_pair(model, point%pair), point, x, rotation)
+      if (stay) return
+      associate (n => point%kinematics%normal)
+         point%bends%curvature = [dot_product(n, curvature_at(point%bends_seen, 1, point%xi_bar)), &
+            -dot_product(n, curvature_at(point%bends_seen, 2, point%xi))]
       end associate
    end subroutine see_bends
 
@@ -163,83 +161,52 @@ contains
       end associate
    end function energy_by_curvature
 
-   !> How the curvatures change with the 24 mechanical unknowns (24, 2): as the axes bend, as the normal turns, and as
-   !> the contact moves along them.
-   pure function rows_of_curvature(model, wires, elements, axis, x, rotation, seen, point) result(rows)
+   !> Curvatures of both axes of a contact, without a jump at nodes.
+   pure type(bends_seen_t) function curvatures_seen(model, wires, elements, axis, point, x, rotation) result(seen)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
-      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
-      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      !> Of the barred and the unbarred wire
-      type(seen_curvature_t), intent(in) :: seen(2)
       type(contact_point_t), intent(in) :: point
-      real(dp) :: rows(24, 2)
-      real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
-      real(dp), dimension(3) :: x1, x2, xb1, xb2
-      real(dp) :: xe(3, 4), t(3, 4), length(2)
-
-      call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
-      call axis_shape(axis, length(1), point%xi_bar, hb, hb1, hb2)
-      call axis_shape(axis, length(2), point%xi, h, h1, h2)
-      xb1 = on_axis(hb1, xe(:, 1:2), t(:, 1:2))
-      xb2 = on_axis(hb2, xe(:, 1:2), t(:, 1:2))
-      x1 = on_axis(h1, xe(:, 3:4), t(:, 3:4))
-      x2 = on_axis(h2, xe(:, 3:4), t(:, 3:4))
-      associate (n => point%kinematics%normal, dxib => point%kinematics%dxi_bar, dxi => point%kinematics%dxi)
-         ! at places that stay those of the elements themselves, so that forces and moments are in balance
-         rows(:, 1) = turned_normal(xb2)
-         rows(1:12, 1) = rows(1:12, 1) + axis_row(hb2, t(:, 1:2), n)
-         rows(:, 1) = seen(1)%part*rows(:, 1)/dot_product(xb1, xb1) + dot_product(n, seen(1)%slope)*dxib
-         rows(:, 2) = turned_normal(x2)
-         rows(13:24, 2) = rows(13:24, 2) + axis_row(h2, t(:, 3:4), n)
-         rows(:, 2) = -seen(2)%part*rows(:, 2)/dot_product(x1, x1) - dot_product(n, seen(2)%slope)*dxi
-      end associate
-
-   contains
-
-      !> `v.dn = v.(1 - n n^T)(S dp + xb' dxib - x' dxi)/d`
-      pure function turned_normal(v) result(row)
-         !> (3)
-         real(dp), intent(in) :: v(3)
-         real(dp) :: row(24), across(3)
-
-         associate (kinematics => point%kinematics)
-            across = v - dot_product(v, kinematics%normal)*kinematics%normal
-            row = [axis_row(hb, t(:, 1:2), across), axis_row(h, t(:, 3:4), -across)]
-            row = (row + dot_product(xb1, across)*kinematics%dxi_bar - dot_product(x1, across)*kinematics%dxi) &
-               /kinematics%distance
-         end associate
-      end function turned_normal
-
-   end function rows_of_curvature
-
-   !> Curvature of an axis at a place, without a jump at nodes.
-   pure type(seen_curvature_t) function curvature_seen(model, wires, elements, axis, e, xi, x, rotation) result(seen)
-      type(model_t), intent(in) :: model
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      !> `axis_linear` or `axis_hermite`, and the element
-      integer, intent(in) :: axis, e
-      !> Place in it
-      real(dp), intent(in) :: xi
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       real(dp) :: at_node(3, 2), part(2)
-      integer :: side
+      integer :: i, side
 
-      do side = 1, 2
-         call find_at_node(model, wires, elements, axis, e, side, x, rotation, at_node(:, side), part(side))
-      end do
-      seen%part = (part(1) + part(2))/2 + xi*(part(2) - part(1))/2
-      ! 3 u^2 - 2 u^3 from one to the other: at nodes it has no slope, which would have a jump there
-      associate (u => (1 + max(-1.0_dp, min(1.0_dp, xi)))/2, change => at_node(:, 2) - at_node(:, 1))
-         seen%slope = 3*u*(1 - u)*change
-         seen%there = at_node(:, 1) + u**2*(3 - 2*u)*change
+      associate (pair => [point%element_bar, point%element], xi => [point%xi_bar, point%xi])
+         do i = 1, 2
+            do side = 1, 2
+               call find_at_node(model, wires, elements, axis, pair(i), side, x, rotation, at_node(:, side), part(side))
+            end do
+            seen%at_first(:, i) = at_node(:, 1)
+            seen%change(:, i) = at_node(:, 2) - at_node(:, 1)
+            seen%part(i) = away_from_nodes(xi(i))*((part(1) + part(2))/2 + xi(i)*(part(2) - part(1))/2)
+            seen%place(i) = point%angle_at(i)
+         end do
       end associate
-   end function curvature_seen
+   end function curvatures_seen
+
+   !> How much of the force on the element itself there is: next to a node, where it would go over to another element,
+   !> there is none.
+   pure real(dp) function away_from_nodes(xi)
+      !> In the element
+      real(dp), intent(in) :: xi
+
+      away_from_nodes = 1 - smooth_step((abs(xi) - far_from_node)/(at_node - far_from_node))
+   end function away_from_nodes
+
+   !> At a place of one of the elements (3) [1/m].
+   pure function curvature_at(seen, i, xi) result(curvature)
+      type(bends_seen_t), intent(in) :: seen
+      !> 1: the barred, 2: the unbarred one
+      integer, intent(in) :: i
+      !> In it
+      real(dp), intent(in) :: xi
+      real(dp) :: curvature(3)
+
+      curvature = seen%at_first(:, i) + risen(xi)*seen%change(:, i)
+   end function curvature_at
 
    !> At a node of an element: none at kinks and where wires join.
    pure subroutine find_at_node(model, wires, elements, axis, e, side, x, rotation, curvature, part)
@@ -269,17 +236,15 @@ contains
 
    contains
 
-      !> Of two vectors (3): none where one of them is none, or they are opposite, so that what is straight stays so
-      !> beside a bend.
+      !> Of two vectors (3), weighted by the size of the other one: none where one of them is none, or they are
+      !> opposite, so that what is straight stays so beside a bend.
       pure function harmonic_mean(a, b) result(mean)
          !> (3)
          real(dp), intent(in) :: a(3), b(3)
          real(dp) :: mean(3), sizes(2)
 
-         mean = 0
-         if (.not. dot_product(a, b) > 0) return
          sizes = [norm2(a), norm2(b)]
-         mean = 2*product(sizes)/sum(sizes)**2*(a + b)
+         mean = (sizes(2)*a + sizes(1)*b)/max(sum(sizes), tiny(sizes))
       end function harmonic_mean
 
       !> Reference direction of an element (3).
@@ -324,5 +289,14 @@ contains
       change = abs(now%ratio/before%ratio - 1)/2
       if (before%sine > 0) change = change + abs(now%sine/before%sine - 1)
    end function change_of_bends
+
+   !> Relative change of the force by which the contact resists to be bent otherwise.
+   pure real(dp) function change_of_resistance(earlier, point) result(change)
+      type(contact_point_t), intent(in) :: earlier, point
+
+      associate (before => earlier%bends%by_curvature, now => point%bends%by_curvature)
+         change = maxval(abs(now - before))/max(maxval(abs(now)), maxval(abs(before)), tiny(now))
+      end associate
+   end function change_of_resistance
 
 end module litz_bent_contacts

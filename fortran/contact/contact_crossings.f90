@@ -12,7 +12,7 @@ module litz_contact_crossings
       closest_parallel
    use litz_contact_candidates, only: skin
    use litz_contact_ends, only: minimum_t, add_ends, max_ends
-   use litz_contact_kinematics, only: contact_kinematics, hold_angle, kinematics_ok
+   use litz_contact_kinematics, only: contact_kinematics, fix_angle, kinematics_ok
    use litz_contact_legs, only: measure_legs
    use litz_contact_lens, only: is_at_cut_end
    use litz_contact_matching, only: match_points, slides_of
@@ -324,6 +324,7 @@ contains
       type(contact_point_t), intent(inout) :: point
       real(dp) :: xe(3, 4), t(3, 4), length(2)
       integer :: axis, info
+      logical :: places_stay
 
       axis = axis_of_pair(model, point%pair)
       associate (eb => point%element_bar, e => point%element, kinematics => point%kinematics)
@@ -342,9 +343,10 @@ contains
             if (have_passed(point%start, crossing_at(wires, point))) call contact_kinematics(xe, t, length, axis, &
                elements%radius([eb, e]), point%xi_bar, point%xi, -kinematics%side, kinematics, info)
          end if
-         if (.not. holds_angle(point)) call settle_angle(point)
-         if (info == kinematics_ok .and. point%angle_stays .and. .not. any(point%held)) call hold_angle(xe, t, length, &
-            axis, point%angle_at, kinematics)
+         places_stay = holds_angle(point)
+         if (.not. places_stay) call settle_angle(point)
+         if (info == kinematics_ok .and. point%fixed_share > 0 .and. .not. any(point%held)) call fix_angle(xe, t, &
+            length, axis, point%angle_at, point%fixed_share, kinematics)
          if (info == kinematics_ok) call set_tangents(model, wires, elements, axis, x, rotation, xe, t, length, point)
          point%regular = info == kinematics_ok
          call add_taper(elements%taper([eb, e]), kinematics)
@@ -352,7 +354,7 @@ contains
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
       if (point%regular) call see_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
-         point%pair)%interaction)%normal, point%bends%are_known, point)
+         point%pair)%interaction)%normal, point%bends%are_known, places_stay, point)
       if (point%regular) call measure_legs(model, wires, elements, axis, x, rotation, point)
    end subroutine set_geometry
 

@@ -1,6 +1,8 @@
 !> Forces and currents of the contacts, and their part of the system.
 module litz_contact_forces
    use litz_kinds, only: dp
+   use litz_bent_contacts, only: resists_bending
+   use litz_contact_bending, only: contact_bending
    use litz_contact_kinematics, only: n_motions
    use litz_contact_blocks, only: contact_blocks, electric_blocks, contact_force_t, spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
@@ -133,7 +135,8 @@ contains
                if (.not. domain%motions_stand) then
                   k_p = k_p + k_slide + k_turning
                   r_p = r_p + r_slide + r_turning
-                  if (point%closed) r_p = r_p + point%bent_force
+                  if (point%closed .and. resists_bending(point)) call add_bending(law%axis, x, t, length, point, &
+                     k_p, r_p)
                end if
                if (conducts) call keep_current(electricity, circuit, force%law%dforce_dgap, point)
             end associate
@@ -142,6 +145,23 @@ contains
       end subroutine evaluate
 
    end subroutine assemble_contacts
+
+   !> The force by which a contact resists to be bent otherwise.
+   pure subroutine add_bending(axis, x, t, length, point, k, r)
+      !> `axis_linear` or `axis_hermite`
+      integer, intent(in) :: axis
+      !> Nodal positions [m] and unit tangents (3, 4), barred element first; reference lengths (2) [m]
+      real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(in) :: point
+      !> Tangent (24, 24) and residual (24), added to
+      real(dp), intent(inout) :: k(n_motions, n_motions), r(n_motions)
+      real(dp) :: k_bending(n_motions, n_motions), r_bending(n_motions)
+
+      call contact_bending(point%kinematics, x, t, length, axis, point%radius, point%bends_seen, &
+         point%bends%by_curvature, k_bending, r_bending)
+      k = k + k_bending
+      r = r + r_bending
+   end subroutine add_bending
 
    !> Forces and tangent of the motions of some contacts.
    subroutine add_motions(domain, points, members, nodes, k, r)

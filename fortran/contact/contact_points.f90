@@ -3,6 +3,7 @@ module litz_contact_points
    use litz_kinds, only: dp
    use litz_bent_wires, only: bends_t
    use litz_contact_history, only: contact_history_t, left_dents_t
+   use litz_contact_bending, only: bends_seen_t
    use litz_contact_kinematics, only: contact_kinematics_t, n_motions
    use litz_contact_turning, only: turning_t
    use litz_contact_side, only: crossing_t, crossing_of
@@ -131,14 +132,12 @@ module litz_contact_points
       !> ends and joints, where the sine stays
       real(dp) :: lens_quality(2) = 0
       !> Near a node, where the curvature of the axes has a jump, the angle is that at these places of both elements as
-      !> long as the contact is on them (barred, unbarred): within an iteration they stay
+      !> long as the contact is on them (barred, unbarred), with this share [-]: within an iteration they stay
       integer :: angle_element(2) = 0
-      logical :: angle_stays = .false.
-      real(dp) :: angle_at(2) = 0
-      !> How the wires are bent as the law sees it; and the force by which the contact resists to be bent otherwise, on
-      !> the motions of the nodes (24) [N, N m]
+      real(dp) :: fixed_share = 0, angle_at(2) = 0
+      !> How the wires are bent as the law sees it, and how that changes along them: within an iteration both stay
       type(bends_t) :: bends
-      real(dp) :: bent_force(n_motions) = 0
+      type(bends_seen_t) :: bends_seen
       !> Energy over that of the present far field [-], and what the torque about the normal lacks for what the far
       !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
       !> (litz_lens_growth) [N m]
@@ -439,9 +438,10 @@ contains
       point%lens_sine = earlier%lens_sine
       point%lens_quality = earlier%lens_quality
       point%angle_element = earlier%angle_element
-      point%angle_stays = earlier%angle_stays
+      point%fixed_share = earlier%fixed_share
       point%angle_at = earlier%angle_at
       point%bends = earlier%bends
+      point%bends_seen = earlier%bends_seen
       point%energy_ratio = earlier%energy_ratio
       point%lacking_torque = earlier%lacking_torque
       point%lacking_torque_of_places = earlier%lacking_torque_of_places

@@ -99,15 +99,17 @@ contains
 
    !> What the torques of a crossing and of the places in its lens lack. Over the sine of the angle they stay, so that
    !> they are smooth where the wires come to lie side by side.
-   pure type(turning_t) function settled_turning(point) result(turning)
+   pure type(turning_t) function settled_turning(point, angle) result(turning)
       type(contact_point_t), intent(in) :: point
+      !> Of the axes [rad]
+      real(dp), intent(in) :: angle
       real(dp) :: over_sine
 
       if (point%gap >= 0) return
       over_sine = point%weight*point%lacking_torque &
          + (1 - point%weight)*(1 - point%long_share)*point%lacking_torque_of_places
-      turning%denergy = over_sine*sin(point%kinematics%angle)
-      turning%d2energy = over_sine*cos(point%kinematics%angle)
+      turning%denergy = over_sine*sin(angle)
+      turning%d2energy = over_sine*cos(angle)
    end function settled_turning
 
    !> The lens as the axes turn, with its law.

@@ -5,7 +5,8 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, settle_bends, change_of_bends
+   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, settle_bends, change_of_bends, &
+      change_of_resistance
    use litz_bent_wires, only: bent_crossing_t
    use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
       place_at_ends, flatness, least_bend, deepest
@@ -200,7 +201,8 @@ contains
                earlier = point
                call settle_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
                   point%pair)%interaction)%normal, point)
-               largest_change = max(largest_change, bends_matter*point%weight*change_of_bends(earlier, point))
+               largest_change = max(largest_change, point%weight*max(bends_matter*change_of_bends(earlier, point), &
+                  change_of_resistance(earlier, point)))
             end if
             if (serves_lines(model, point%pair)) call settle_growth(model%interactions(model%contact_pairs( &
                point%pair)%interaction)%normal, wires_of(model, elements, point), point)

@@ -25,7 +25,7 @@ module litz_contact_kinematics
    use litz_closest_points, only: parallel_sine
    implicit none
    private
-   public :: contact_kinematics_t, contact_kinematics, hold_angle, n_motions
+   public :: contact_kinematics_t, contact_kinematics, fix_angle, n_motions
    public :: kinematics_ok, kinematics_parallel, kinematics_singular
 
    integer, parameter :: kinematics_ok = 0
@@ -54,9 +54,9 @@ module litz_contact_kinematics
       integer :: side = 0
       !> Angle between the tangents x' and xb' [rad], in (0, pi), and its cosine
       real(dp) :: angle = 0, cos_angle = 0
-      !> They are those at fixed places of the barred and the unbarred axis (2), and not at the closest points
-      logical :: angle_stays = .false.
-      real(dp) :: angle_at(2) = 0
+      !> How much of the angle is that at fixed places of the barred and the unbarred axis, and not at the closest
+      !> points [-], and these places (2)
+      real(dp) :: fixed_share = 0, angle_at(2) = 0
       !> First variations: rows over the unknowns
       real(dp) :: dgap(24) = 0, dxi_bar(24) = 0, dxi(24) = 0, dcos_angle(24) = 0, dangle(24) = 0
       !> Second variation of the gap: rows of B and Q, and what is between them: `G^-1 H M^-1` between B and B, `M^-1`
@@ -210,8 +210,8 @@ contains
       end associate
    end subroutine add_moves
 
-   !> The angle at places that stay while the closest points move.
-   pure subroutine hold_angle(x, t, length, axis, places, kinematics)
+   !> A mean of the angle at the closest points and of that at places that stay while these move.
+   pure subroutine fix_angle(x, t, length, axis, places, share, kinematics)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
@@ -220,21 +220,30 @@ contains
       integer, intent(in) :: axis
       !> In the barred and the unbarred element (2)
       real(dp), intent(in) :: places(2)
+      !> Of the angle there [-]
+      real(dp), intent(in) :: share
       type(contact_kinematics_t), intent(inout) :: kinematics
       real(dp), dimension(4) :: h, h1, h2, hb, hb1, hb2
       real(dp), dimension(3) :: x1, xb1
+      real(dp) :: angle, dangle(n_motions)
 
       call axis_shape(axis, length(2), places(2), h, h1, h2)
       call axis_shape(axis, length(1), places(1), hb, hb1, hb2)
       x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
       xb1 = on_axis(hb1, x(:, 1:2), t(:, 1:2))
-      kinematics%angle_stays = .true.
+      kinematics%fixed_share = share
       kinematics%angle_at = places
+      angle = kinematics%angle
+      dangle = kinematics%dangle
       kinematics%angle = atan2(norm2(cross(x1, xb1)), dot_product(x1, xb1))
       kinematics%cos_angle = cos(kinematics%angle)
       kinematics%dangle = 0
       call add_angle(kinematics, t, x1, 0*x1, xb1, 0*xb1, h1, hb1)
-   end subroutine hold_angle
+      kinematics%angle = (1 - share)*angle + share*kinematics%angle
+      kinematics%dangle = (1 - share)*dangle + share*kinematics%dangle
+      kinematics%cos_angle = cos(kinematics%angle)
+      kinematics%dcos_angle = -sin(kinematics%angle)*kinematics%dangle
+   end subroutine fix_angle
 
    !> How the angle changes: through the unit tangents `e`, by the nodes and by the move of the closest points.
    pure subroutine add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)

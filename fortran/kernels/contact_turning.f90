@@ -11,7 +11,9 @@
 !> `d2psi/da2 = (e u^T + u e^T + cot(psi) n n^T)/|a|^2`, likewise for b, and `d2psi/dadb = -n n^T/(|a| |b| sin(psi))`.
 module litz_contact_turning
    use litz_kinds, only: dp
+   use litz_rotations, only: cross
    use litz_axis, only: axis_row
+   use litz_closest_points, only: parallel_sine
    use litz_closest_point_motion, only: axis_point_t, axis_point, tangent_of_closest_points, add_turning_tangent
    use litz_contact_kinematics, only: contact_kinematics_t, n_motions
    use litz_contact_mechanics, only: form_hessian
@@ -59,7 +61,11 @@ contains
       r = turning_residual(kinematics, turning)
       k = 0
       if (.not. any(abs(kinematics%dangle) > 0)) return
-      call add_second_variation(kinematics, x, t, length, axis, turning%denergy, k)
+      associate (fixed => kinematics%fixed_share)
+         if (fixed < 1) call add_second_variation(kinematics, x, t, length, axis, .false., (1 - fixed) &
+            *turning%denergy, k)
+         if (fixed > 0) call add_second_variation(kinematics, x, t, length, axis, .true., fixed*turning%denergy, k)
+      end associate
       if (form == form_hessian) k = (k + transpose(k))/2
       do j = 1, n_motions
          k(:, j) = k(:, j) + kinematics%dangle*(turning%d2energy*kinematics%dangle(j) &
@@ -77,7 +83,7 @@ contains
    end function turning_residual
 
    !> `moment d2psi` in the spin form.
-   pure subroutine add_second_variation(kinematics, x, t, length, axis, moment, k)
+   pure subroutine add_second_variation(kinematics, x, t, length, axis, is_fixed, moment, k)
       type(contact_kinematics_t), intent(in) :: kinematics
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
@@ -85,6 +91,8 @@ contains
       real(dp), intent(in) :: length(2)
       !> `axis_linear` or `axis_hermite`
       integer, intent(in) :: axis
+      !> Of the angle at its fixed places
+      logical, intent(in) :: is_fixed
       !> Pi_psi [J/rad]
       real(dp), intent(in) :: moment
       !> Tangent (24, 24), added to
@@ -98,17 +106,18 @@ contains
       places = [kinematics%xi_bar, kinematics%xi]
       xi = kinematics%dxi
       xi_bar = kinematics%dxi_bar
-      if (kinematics%angle_stays) then
+      if (is_fixed) then
          places = kinematics%angle_at
          xi = 0
          xi_bar = 0
       end if
       a = axis_point(axis, length(2), places(2), x(:, 3:4), t(:, 3:4))
       b = axis_point(axis, length(1), places(1), x(:, 1:2), t(:, 1:2))
-      of_a = turning_axis(kinematics, a, b%x(:, 1), t(:, 3:4), 12, xi)
-      of_b = turning_axis(kinematics, b, a%x(:, 1), t(:, 1:2), 0, xi_bar)
-      sine = sin(kinematics%angle)
-      cotangent = kinematics%cos_angle/sine
+      sine = norm2(cross(a%x(:, 1), b%x(:, 1)))/(norm2(a%x(:, 1))*norm2(b%x(:, 1)))
+      if (.not. sine > parallel_sine) return
+      of_a = turning_axis(kinematics%normal, a, b%x(:, 1), t(:, 3:4), 12, xi)
+      of_b = turning_axis(kinematics%normal, b, a%x(:, 1), t(:, 1:2), 0, xi_bar)
+      cotangent = dot_product(a%x(:, 1), b%x(:, 1))/(norm2(a%x(:, 1))*norm2(b%x(:, 1))*sine)
       left = reshape([of_a%along, of_a%towards, of_a%out, of_a%mixed, xi, &
          of_b%along, of_b%towards, of_b%out, of_b%mixed, xi_bar], shape(left))
       right = reshape([of_a%towards, of_a%along, cotangent*of_a%out - of_b%out/sine, xi, &
@@ -120,15 +129,16 @@ contains
          call add_turning_tangent(t(:, i), moment*b%h(2*i, 1)*of_b%slope, 6*i - 2, k)
          call add_turning_tangent(t(:, 2 + i), moment*a%h(2*i, 1)*of_a%slope, 12 + 6*i - 2, k)
       end do
-      if (kinematics%angle_stays) return
+      if (is_fixed) return
       no_change = 0
       k = k + tangent_of_closest_points(kinematics, a, b, t, moment*[dot_product(of_a%slope, a%x(:, 2)), &
          dot_product(of_b%slope, b%x(:, 2))], no_change)
    end subroutine add_second_variation
 
    !> What the angle feels of one axis.
-   pure type(turning_axis_t) function turning_axis(kinematics, a, other, t, first, dxi) result(found)
-      type(contact_kinematics_t), intent(in) :: kinematics
+   pure type(turning_axis_t) function turning_axis(normal, a, other, t, first, dxi) result(found)
+      !> Of the contact (3)
+      real(dp), intent(in) :: normal(3)
       type(axis_point_t), intent(in) :: a
       !> Derivative of the other axis (3) [m]
       real(dp), intent(in) :: other(3)
@@ -138,15 +148,18 @@ contains
       integer, intent(in) :: first
       !> How its place moves (24); 0: it stays
       real(dp), intent(in) :: dxi(n_motions)
-      real(dp) :: e(3), u(3), size_of_a
+      real(dp), dimension(3) :: e, eb, u
+      real(dp) :: size_of_a
 
       size_of_a = norm2(a%x(:, 1))
       e = a%x(:, 1)/size_of_a
-      u = (other/norm2(other) - kinematics%cos_angle*e)/sin(kinematics%angle)
+      eb = other/norm2(other)
+      u = eb - dot_product(eb, e)*e
+      u = u/norm2(u)
       found%slope = -u/size_of_a                                                           ! dpsi/da
       found%along = change_along(e)
       found%towards = change_along(u)
-      found%out = change_along(kinematics%normal)
+      found%out = change_along(normal)
       found%mixed(first + 1:first + 12) = axis_row(a%h(:, 2), t, found%slope)
 
    contains

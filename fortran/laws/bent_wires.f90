@@ -13,8 +13,8 @@ module litz_bent_wires
 
    !> Wires that are bent about each other more than this, in 1/r, count as bent by it
    real(dp), parameter :: most_about = 0.25_dp
-   !> The sine is at least this part of that of straight wires
-   real(dp), parameter :: least_part = 0.1_dp
+   !> The square of the sine over that of straight wires is at least this; from twice as much on it is as it is
+   real(dp), parameter :: least_part = 0.01_dp
    !> Below this cosine the angle of the straight wires is a right one
    real(dp), parameter :: no_cosine = 1.0e-6_dp
 
@@ -43,7 +43,7 @@ contains
       real(dp), intent(in) :: radius(2), curvature(2)
       !> Between the axes [rad]
       real(dp), intent(in) :: angle
-      real(dp) :: c(2), dc(2), bend(2), mean, alpha, beta, cosine, square_of_cosine
+      real(dp) :: c(2), dc(2), bend(2), mean, alpha, beta, part, second, cosine, square_of_cosine
 
       bend = max(curvature*radius, -most_about)
       c = bend/((1 + bend)*radius)
@@ -55,17 +55,21 @@ contains
          ! s^2 = (alpha + beta sin^2(psi))/m^2
          alpha = sum(radius)*sum(c)
          beta = product(1 - c*radius)
-         s = sqrt(max(0.0_dp, alpha + beta*sin(angle)**2))/m
+         part = 1
+         if (sin(angle) > 0) part = (alpha/sin(angle)**2 + beta)/m**2
+         s = sin(angle)*sqrt(floored(part))
          ! of m^2 - alpha - beta, without loss of digits
          square_of_cosine = ((radius(1) - radius(2))*(c(1)*radius(2) - c(2)*radius(1))/sum(radius) + (mean*sum(c))**2 &
             - product(c*radius) + beta*cos(angle)**2)/m**2
-         if (s < least_part*sin(angle)) then
-            s = least_part*sin(angle)
+         if (s > 0 .and. s < 1) straight%dsine = slope_of_floored(part)*((sum(radius) - radius*(1 - c([2, 1]) &
+            *radius([2, 1]))*sin(angle)**2)*dc/m**2 - 2*part*sin(angle)**2/m*straight%dratio)/(2*s)
+         ! d(s^2)/d(sin^2(psi)), and twice its derivative by psi
+         second = 0
+         beta = beta/m**2
+         if (part < 2*least_part) then
             square_of_cosine = 1 - s**2
-            beta = (least_part*m)**2
-         else if (s < 1) then
-            straight%dsine = ((sum(radius) - radius*(1 - c([2, 1])*radius([2, 1]))*sin(angle)**2)*dc/m**2 &
-               - 2*s**2/m*straight%dratio)/(2*s)
+            if (part > 0) second = (beta - part)**2*cos(angle)**2/least_part
+            beta = floored(part) + slope_of_floored(part)*(beta - part)
          end if
          s = min(1.0_dp, s)
          straight%slope = 0
@@ -74,12 +78,29 @@ contains
          cosine = sqrt(square_of_cosine)
          ! cos(theta) theta' = s', and again
          if (cosine > no_cosine) then
-            straight%slope = beta*sin(angle)*cos(angle)/(m**2*s*cosine)
-            straight%curvature = (beta*cos(2*angle)/m**2 - straight%slope**2*(1 - 2*s**2))/(s*cosine)
+            straight%slope = beta*sin(angle)*cos(angle)/(s*cosine)
+            straight%curvature = (beta*cos(2*angle) + second - straight%slope**2*(1 - 2*s**2))/(s*cosine)
          else
-            straight%slope = sign(sqrt(beta)/m, cos(angle))
+            straight%slope = sign(sqrt(beta), cos(angle))
          end if
       end associate
    end function bent_crossing
+
+   !> The square of a sine over that of straight wires, but never below the least: `u`, from `2 a` down `a + u^2/(4 a)`,
+   !> from 0 down `a`.
+   pure real(dp) function floored(part)
+      !> u, of any sign [-]
+      real(dp), intent(in) :: part
+
+      floored = part
+      if (part < 2*least_part) floored = least_part + max(0.0_dp, part)**2/(4*least_part)
+   end function floored
+
+   pure real(dp) function slope_of_floored(part)
+      !> u [-]
+      real(dp), intent(in) :: part
+
+      slope_of_floored = max(0.0_dp, min(1.0_dp, part/(2*least_part)))
+   end function slope_of_floored
 
 end module litz_bent_wires

@@ -132,6 +132,36 @@ def test_the_force_has_no_step_where_the_curvature_of_the_axis_has_one(run, degr
     assert forces == pytest.approx([forces[0]] * 2, rel=2e-4)
 
 
+@pytest.mark.parametrize("degrees", [12, 20])
+def test_the_force_has_no_step_where_the_bend_turns_about_the_axis_at_a_node(run, degrees):
+    """By a little less or a little more than a right angle."""
+    forces = []
+    for turn in (89.9, 90.1):
+        bend = arc(-0.05 / R, half=6 * R, shift=6 * R, n=24)[1:]
+        cosine, sine = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+        turned = np.column_stack([bend[:, 0], -bend[:, 2] * sine, bend[:, 2] * cosine])
+        points = np.vstack([(bend * [-1, 1, 1])[::-1], [[0, 0, 0]], turned])
+        rod = arc(0.0, degrees=degrees, height=2 * R, shift=0.27 * R, half=4 * R, n=8)
+        push = step(boundary=f" UPPER, 3, 3, {-0.002 * R}\n")
+        results = solved(run(two_wires(points, rod, HELD, push), name=f"turned{len(forces)}"))
+        forces.append(results.contacts_at(-1)["force"].sum())
+    assert forces[1] == pytest.approx(forces[0], rel=5e-3)
+
+
+@pytest.mark.parametrize(("degrees", "half", "push", "elements"), [(20, 6, 0.3, 16), (14, 12, 1.5, 24), (24, 18, 2, 24)])
+def test_wires_that_bend_about_each_other_take_few_iterations(run, tmp_path, degrees, half, push, elements):
+    """Their closest points go far as they turn a little: the tangent has what that changes of how they resist."""
+    lower = arc(0.0, shift=0.013 * R, half=half * R, n=elements)
+    upper = arc(0.0, degrees=degrees, height=2 * R, shift=0.27 * R, half=half * R, n=elements)
+    ends = f"*NSET, NSET=ENDS\n {UPPER}, {UPPER + elements}\n*NSET, NSET=BELOW\n {LOWER}, {LOWER + elements}\n"
+    held = "*BOUNDARY\n BELOW, ENCASTRE\n LOWER, 9\n UPPER, 9\n ENDS, 1, 2\n ENDS, 4, 6\n"
+    press = step(static="0.02, 1., 1e-5, 0.02", boundary=f" ENDS, 3, 3, {-push * R}\n")
+    results = solved(run(two_wires(lower, upper, ends, held, press), name="about"))
+    assert results.history["increment"][-1] == 50
+    rows = [line.split() for line in (tmp_path / "about" / "about.sta").read_text().splitlines()]
+    assert sum(int(row[3]) for row in rows if row and row[0] == "1") < 5 * 50
+
+
 def test_a_run_with_bent_wires_goes_on_from_a_restart_file(run, tmp_path):
     lower, upper = arc(0.0, shift=0.013 * R), arc(0.05 / R, degrees=30, height=2 * R, shift=0.27 * R)
     down = f" HEAD, 1, 2\n HEAD, 3, 3, {-0.01 * R}\n HEAD, 6\n"

@@ -30,7 +30,8 @@ def test_a_mat_is_two_networks_of_current_and_heat(results_of, header):
                 poisson=0.3,
                 resistivity=resistivity,
             )
-            assert network.resistance[k] == pytest.approx(holm.resistance, rel=1e-4)
+            # fibres are bent where they cross, r/R of some 1e-3: two tori, in place of straight wires
+            assert network.resistance[k] == pytest.approx(holm.resistance, rel=1e-3)
         links = [(p, q, area / (resistivity * length)) for p, q, length in stretches] + spots
         circuit = Network(n_points, links, {p: voltage * upper for p, upper in plates.items()})
         potential = circuit.solve(np.zeros(n_points))
