@@ -32,6 +32,13 @@ def solvers_of_program() -> list[str]:
     return re.sub(r" *\([^)]*\)", "", names).split(", ")
 
 
+def pytest_configure(config):
+    """Slow tests run where tests are chosen: by `-m`, `-k`, or the names of files or folders."""
+    chosen = config.option.keyword or config.option.markexpr
+    if config.args_source is pytest.Config.ArgsSource.TESTPATHS and not chosen:
+        config.option.markexpr = "not slow"
+
+
 def pytest_runtest_setup(item):
     if item.get_closest_marker("mumps") and "MUMPS" not in solvers_of_program():
         pytest.skip("the program was built without MUMPS")

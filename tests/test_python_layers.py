@@ -122,6 +122,7 @@ def test_a_module_imports_its_own_floor_and_those_below_only(path):
     assert not wrong_floors(path), f"{name_of(path)} may import {sorted(MAY_IMPORT[floor(path)])}"
 
 
+@pytest.mark.slow
 def test_no_modules_import_each_other_in_a_circle():
     assert circle() is None
 

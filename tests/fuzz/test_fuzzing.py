@@ -29,6 +29,7 @@ def ask(read_decks, tmp_path):
     reader.stop()
 
 
+@pytest.mark.slow
 def test_changed_decks_are_refused_or_mean_what_they_say(read_decks):
     totals, found = fuzz(read_decks, 2000, seed=1, limited=False, decks=SHORT)
     assert not found, f"{len(found)} findings, the first: {found[0]}"

@@ -16,6 +16,7 @@ from run_hdf5 import MeshFuzzer, RestartFuzzer, fuzz
 LIMITED = "ASAN_OPTIONS" not in os.environ
 
 
+@pytest.mark.slow
 def test_changed_mesh_files_are_refused_or_mean_what_they_say(read_decks):
     totals, found = fuzz("mesh", read_decks, 300, seed=1, limited=LIMITED)
     assert not found, f"{len(found)} findings, the first: {found[0]}"
@@ -24,6 +25,7 @@ def test_changed_mesh_files_are_refused_or_mean_what_they_say(read_decks):
     assert totals["refused"] > 100
 
 
+@pytest.mark.slow
 def test_changed_restart_files_are_refused_or_lead_to_the_same_results(litz_program):
     totals, found = fuzz("restart", litz_program, 120, seed=1, limited=LIMITED)
     assert not found, f"{len(found)} findings, the first: {found[0]}"

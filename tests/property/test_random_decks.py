@@ -14,6 +14,7 @@ def trials(litz_program):
     return try_all(CASES, litz_program, jobs=min(2, os.cpu_count() or 1), limit=120.0)
 
 
+@pytest.mark.slow
 def test_runs_of_random_decks_end_right_or_in_words(trials):
     failed = [trial for trial in trials if trial.verdict in FAILURES]
     assert not failed, "\n".join(["", *(str(trial) for trial in failed), *table(trials)])

@@ -116,6 +116,7 @@ def test_a_wire_that_slides_along_another_without_touching_has_not_passed():
     assert scene.doubts == []
 
 
+@pytest.mark.slow
 def test_wires_that_move_together_have_not_passed():
     scene = crossed(height=2.001 * R, angle=35)
     scene.then(None, turn=(0, 0, 2.8), shift=(30 * R, 0, 50 * R)).then(None, turn=(0, 1.5, 0)).then(
@@ -129,6 +130,7 @@ def test_a_wire_that_turns_through_parallel_above_another_has_not_passed():
     assert scene.found == []
 
 
+@pytest.mark.slow
 def test_a_wire_that_turns_through_another_has_passed():
     """It goes up, then down by 60 degrees in one increment, about an axis near its one end."""
     scene = crossed(height=4 * R, at=(0, 15 * R)).then(1, turn=(np.radians(30), 0, 0), about=(0, -50 * R, 4 * R))
@@ -219,6 +221,7 @@ def coil(radius, pitch, turns=1.25, n=20):
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), pitch * angle / (2 * np.pi)], 1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radius", [1.3 * R, 6 * R])
 def test_turns_of_a_coil_overlap_however_short_they_are(radius):
     """Turns of 8 radii, and of 38: the last quarter overlaps the first one by a fifth of the radius, and no turn itself."""

@@ -239,6 +239,7 @@ class TestPictures:
         assert line.get_xy1() == pytest.approx((0, -2))
         assert line.get_xy2()[1] == pytest.approx(-2)
 
+    @pytest.mark.slow
     def test_from_the_command_line(self, joint, tmp_path):
         picture = tmp_path / "section.png"
         shown = command("plot", joint.path, "section", "--place", "0.2", "--field", "axial_force", "-o", picture)

@@ -106,6 +106,7 @@ def test_the_work_of_rolling_a_bent_wire_is_what_the_contact_holds(run, degrees)
     assert left_over < 0.05 * abs(held[rolling][-1] - held[~rolling][-1])
 
 
+@pytest.mark.slow
 def test_the_work_of_dragging_a_wire_over_waves_is_what_the_contact_holds(run):
     """From a crest, where the axis is bent away with a radius of curvature of 12 radii, to where it is straight."""
     x = np.linspace(-24 * R, 24 * R, 97)
@@ -148,7 +149,9 @@ def test_the_force_has_no_step_where_the_bend_turns_about_the_axis_at_a_node(run
     assert forces[1] == pytest.approx(forces[0], rel=5e-3)
 
 
-@pytest.mark.parametrize(("degrees", "half", "push", "elements"), [(20, 6, 0.3, 16), (14, 12, 1.5, 24), (24, 18, 2, 24)])
+@pytest.mark.parametrize(
+    ("degrees", "half", "push", "elements"), [(20, 6, 0.3, 16), (14, 12, 1.5, 24), (24, 18, 2, 24)]
+)
 def test_wires_that_bend_about_each_other_take_few_iterations(run, tmp_path, degrees, half, push, elements):
     """Their closest points go far as they turn a little: the tangent has what that changes of how they resist."""
     lower = arc(0.0, shift=0.013 * R, half=half * R, n=elements)

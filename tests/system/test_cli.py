@@ -108,6 +108,7 @@ def test_table_of_a_run(run_of_input):
     assert float(rows[3].split()[2]) == pytest.approx(0.9005914, rel=3e-6)
 
 
+@pytest.mark.slow
 def test_plot_of_a_run(run_of_input, tmp_path):
     picture = tmp_path / "wires.png"
     shown = command("plot", run_of_input("05_clamped_pair"), "-o", picture)

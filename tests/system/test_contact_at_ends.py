@@ -120,6 +120,7 @@ def test_a_crossing_slides_off_the_end_of_a_wire_without_a_jump(run, degrees, la
         assert force[39] == pytest.approx((crossing + force_for(OVERLAP, end_on_wire, wires)) / 2, rel=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", [HERTZ, linear("", 1e10)])
 @pytest.mark.parametrize(
     ("degrees", "left", "error"),
@@ -175,6 +176,7 @@ def carried_over(degrees, law, increments):
     return two_wires(kinked(degrees), rod, HELD, amplitudes, f"*STEP, INC=500\n{static}{motion}*END STEP\n", law=law)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", [90, 30])
 def test_a_rod_slides_over_a_kink_without_a_jump(run, degrees):
     results = solved(run(carried_over(degrees, HERTZ, 100)))
@@ -221,6 +223,7 @@ def totals(results):
     )]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("degrees", "overlap", "behind", "law"),
     [

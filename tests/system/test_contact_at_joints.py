@@ -121,6 +121,7 @@ def test_the_order_of_three_wires_that_meet_makes_no_difference(run, law, falls,
     assert_same(forces)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("yaw", [90, 45, 15])
 @pytest.mark.parametrize("overlap", [0.01 * R, 5e-4 * R])
 def test_a_kink_begins_as_a_smooth_bend_and_ends_as_a_sphere(run, yaw, overlap):
@@ -231,6 +232,7 @@ def test_the_order_of_legs_of_several_wires_makes_no_difference(run, law, legs, 
     assert_same([force_on_legs(run, degrees, order, legs, at, normal, law) for order in orders])
 
 
+@pytest.mark.slow
 def test_the_modulus_of_a_joint_is_that_of_its_legs_without_a_jump(run):
     """A rod across a kink of 30 degrees, from one leg over the joint on to the other one."""
     fall, overlap, n = math.radians(15), 0.02 * R, 16
@@ -306,6 +308,7 @@ def largest_step(run, points, yaw, law, first, last):
     return max(steps)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
 @pytest.mark.parametrize(
     ("degrees", "yaw"),
@@ -331,6 +334,7 @@ def test_a_rod_is_dragged_over_a_flat_kink_without_a_step(run, law, degrees, yaw
     assert largest_step(run, points, yaw, law, -2.5, 2.5) < 0.02
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS, ids=["hertz", "linear"])
 @pytest.mark.parametrize(("degrees", "yaw"), [(20.1, 10), (30, 10), (30, 15), (60, 20), (60, 45)])
 def test_a_rod_is_dragged_on_to_a_kink_and_beyond_without_a_step(run, law, degrees, yaw):

@@ -122,6 +122,7 @@ class TestSteadyEnd:
         assert 0.5 < left < 1.2
         assert results.times[-1] == pytest.approx(results.times[-2] + 1)
 
+    @pytest.mark.slow
     def test_a_run_goes_on_from_every_increment(self, litz, tmp_path):
         later = f"*STEP\n{ELECTRICAL}\n0.5, 1.\n*END STEP\n"
         text = deck("0.2, 100., 1e-4, , 1.0", heat="*BOUNDARY\nENDS, 11, 11, 320\n", amperes=60.0, sigma=SIGMA, step=KEEP_ALL,

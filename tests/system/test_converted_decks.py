@@ -224,6 +224,7 @@ S
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("dialect", "radius"), [("ccx", 2.0), ("abaqus", 4.0)])
 def test_round_sections_are_converted_in_their_dialect(convert, litz, tmp_path, dialect, radius):
     assert convert(CCX)[0].returncode == 1
@@ -257,6 +258,7 @@ def test_names_of_shapes_are_four_letters_in_calculix(convert, litz, tmp_path):
 MESH = "*Node\n 1, 0, 0, 0\n 2, 0.1, 0, 0\n*Element, type=B31, elset=WIRE\n 1, 1, 2\n"
 
 
+@pytest.mark.slow
 def test_copper_is_that_of_the_unit_of_length_and_no_unit_is_assumed(convert):
     done, _ = convert(MESH, "--radius", "1")
     assert done.returncode == 1

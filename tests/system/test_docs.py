@@ -138,7 +138,22 @@ def workplace(tmp_path, litz_program, contact_element):
     return tmp_path, environment
 
 
-@pytest.mark.parametrize("document", PAGES_THAT_RUN, ids=NAMES.get)
+#: They run what takes minutes
+SLOW_PAGES = {
+    ROOT / "docs" / name
+    for name in (
+        "from_python.md",
+        "results.md",
+        *(f"tutorials/{page}.md" for page in ("current_sharing", "fibre_mat", "cable")),
+    )
+}
+
+
+@pytest.mark.parametrize(
+    "document",
+    [pytest.param(page, marks=pytest.mark.slow) if page in SLOW_PAGES else page for page in PAGES_THAT_RUN],
+    ids=NAMES.get,
+)
 def test_python_and_commands_run_and_print_what_they_should(document, workplace):
     folder, environment = workplace
     python = PythonSession(folder, environment)
@@ -258,6 +273,7 @@ def test_the_contact_element_in_one_file_says_what_it_is_and_under_which_licence
     assert " ".join((ROOT / "LICENSE").read_text(encoding="utf-8").split()) in words
 
 
+@pytest.mark.slow
 @in_language("fortran", PAGES_OF_CHANGES)
 def test_fortran_compiles_without_a_warning(block, contact_element, tmp_path):
     (tmp_path / "block.f90").write_text(block.text)

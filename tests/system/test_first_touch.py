@@ -41,6 +41,7 @@ def run(model, folder):
     return litz.run(model.write(folder / "mat.inp"), output_directory=folder / "results")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_contacts_that_close_at_one_instant_settle_in_one_increment(tmp_path, friction):
     """In about twenty iterations, with friction as without. Each force is in balance (audit of the run)."""
@@ -52,6 +53,7 @@ def test_contacts_that_close_at_one_instant_settle_in_one_increment(tmp_path, fr
     assert 1700 < np.count_nonzero(force > 0) < 2000
 
 
+@pytest.mark.slow
 def test_increments_do_not_matter_to_what_closes(tmp_path):
     """Without friction nothing remembers the way: quarters of the increment lead to the same forces."""
     one = run(mat(0.0), tmp_path)

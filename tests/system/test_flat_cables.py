@@ -38,6 +38,7 @@ def pressed(tmp_path_factory):
     return model.run(tmp_path_factory.mktemp("flat"))
 
 
+@pytest.mark.slow
 def test_strands_of_the_layers_cross_at_twice_their_slope(pressed):
     # as they are laid; pressed to the end strands turn towards each other by 2 %
     ledger = next(

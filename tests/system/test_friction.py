@@ -476,6 +476,7 @@ def test_a_restart_remembers_traction_slip_and_energies(run, tmp_path):
         assert continued.history[column][-1] == whole.history[column][-1]
 
 
+@pytest.mark.slow
 def test_a_run_goes_on_with_all_that_contacts_remember(litz, tmp_path):
     """Pressed and released, so that the spot is that of the largest force; stuck, slipping with more and more force, and
     opened at last, where the energy of the spring becomes heat."""
@@ -558,6 +559,7 @@ def test_a_closed_wire_remembers_where_its_numbering_begins(run):
         np.testing.assert_allclose(over[name], elsewhere[name], rtol=1e-9, atol=1e-9 * np.abs(elsewhere[name]).max())
 
 
+@pytest.mark.slow
 def test_a_mat_with_friction_is_pressed_and_released_without_a_cut(run):
     """Contacts open and close within the iterations: none may keep a force of before."""
     model = build.fibre_mat((10e-3, 10e-3), 10, radius=0.1e-3, seed=11, n_layers=4, clearance=5e-6)
@@ -571,6 +573,7 @@ def test_a_mat_with_friction_is_pressed_and_released_without_a_cut(run):
     assert results.status["contacts"].max() > 300
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coefficient", [1e-5, 1e-3])
 def test_a_very_small_friction_in_a_mat_hardly_matters(run, coefficient):
     """Neither to the forces, which it changes in proportion, nor to the iterations: slips that turn back do not stick."""

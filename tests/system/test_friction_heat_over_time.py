@@ -173,6 +173,7 @@ def test_friction_that_grows_steadily_is_of_second_order(run):
     assert first > 3.5 * second
 
 
+@pytest.mark.slow
 def test_a_run_goes_on_from_every_increment(litz, tmp_path):
     text = deck("0.05, 0.4", MOTIONS["within the step"], step=KEEP_ALL, path=1e-3, elements=4)
     assert_goes_on_from_everywhere(litz, tmp_path, text)

@@ -66,6 +66,7 @@ def refused(litz, tmp_path):
 
 
 class TestClosedForms:
+    @pytest.mark.slow
     def test_a_bar_whose_ends_are_heated_at_once(self, run):
         """The Fourier series, at a time when three of its terms count; second order in increments and elements."""
         time = 0.1 * LENGTH**2 / DIFFUSIVITY
@@ -135,6 +136,7 @@ class TestClosedForms:
                       material=STORED + f"*LATENT HEAT\n{latent}, {solidus}, {liquidus}\n")  # fmt: skip
         np.testing.assert_allclose(results.field("temperature"), expected, rtol=1e-8)
 
+    @pytest.mark.slow
     def test_it_ends_where_a_steady_step_does(self, run):
         heat = "*BOUNDARY\nENDS, 11, 11, 300\n"
         long = run(f"0.5, {5 * LENGTH**2 / DIFFUSIVITY:.17g}", heat=heat, amperes=30.0, sigma=SIGMA).field(
@@ -144,6 +146,7 @@ class TestClosedForms:
                      procedure="*COUPLED THERMAL-ELECTRICAL, STEADY STATE").field("temperature")  # fmt: skip
         np.testing.assert_allclose(long, steady, atol=1e-9 * (steady.max() - ROOM))
 
+    @pytest.mark.slow
     def test_what_is_made_leaves_or_is_stored(self, run, tmp_path):
         """At every increment; and all that has been stored is the enthalpy, but for what BDF2 takes for the last rates."""
         end = 0.05
@@ -184,6 +187,7 @@ class TestIncrements:
         results = run("0.1, 1.", amperes=10.0)
         np.testing.assert_allclose(results.status["time_increment"], 0.1, rtol=1e-12)
 
+    @pytest.mark.slow
     def test_a_run_goes_on_from_every_increment(self, litz, tmp_path):
         text = deck("0.3, 2., 1e-4", heat="*BOUNDARY\nENDS, 11, 11, 320\n", amperes=60.0, sigma=SIGMA, step=KEEP_ALL,
                     procedure="*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, DELTMX=9.")  # fmt: skip

@@ -236,6 +236,7 @@ class TestAgainstNetworks:
         heat = np.abs(results.field("reaction_heat")).max()
         assert 10 / heat == pytest.approx(resistance * 5.88e7 / 400, rel=1e-12)
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         ("law", "metal"), [("CONDUCTIVITY", ""), ("CONDUCTIVITY", ", YIELD=60e6"), ("CONSTANT, PER=LENGTH\n20", "")]
     )

@@ -106,6 +106,7 @@ def assert_harmless(text):
     return page
 
 
+@pytest.mark.slow
 def test_the_report_shows_hostile_texts_as_texts(report):
     text = report.read_text(encoding="utf-8")
     page = assert_harmless(text)
@@ -146,6 +147,7 @@ def test_the_scripts_of_the_pages_make_elements_only_by_the_dom():
         )
 
 
+@pytest.mark.slow
 def test_nothing_of_hostile_results_runs_in_a_browser(hostile, report):
     with open_browser() as browser, ViewServer(hostile) as server:
         import threading

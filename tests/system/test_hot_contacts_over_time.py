@@ -47,6 +47,7 @@ def temperatures(results):
     return np.array([row["temperature_1"][0] for row in rows]), rows[-1]["joule_heat"][0] / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("elements", [1, 3])
 def test_the_contact_warms_as_the_wire_does(run, elements):
     """Within 8.5 % of the rise of a steady state: the series of one heat in the middle, whose fast parts are taken as one, is

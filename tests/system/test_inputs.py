@@ -644,6 +644,7 @@ def test_a_current_heats_the_spot_between_crossed_wires(results_of, header):
     assert re.search(r"hottest spot +515\.6 K +in contact 1", summary(results))
 
 
+@pytest.mark.slow
 def test_crossed_wires_that_have_yielded_keep_a_dent(results_of, header):
     """A beam as a spring before the spot: force and resistance on the way up, back, and up again; the wires part while the
     beam is still bent."""

@@ -43,6 +43,7 @@ def test_from_python_it_is_the_same(deck, tmp_path):
     np.testing.assert_allclose(results.field("displacement")[[2, 5], 2], [SAG, 2 * SAG], rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_it_is_the_deck_that_convert_writes(deck, tmp_path):
     assert command("run", deck, "-o", "direct", cwd=tmp_path).returncode == 0
     assert command("convert", deck, "flat.inp", cwd=tmp_path).returncode == 0

@@ -116,6 +116,7 @@ def test_the_viewer_gets_it_in_valid_json(insulated):
     assert data["contacts"]["resistance"] == ["∞"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["overview", "resistance", "contacts", "network", "currents"])
 def test_pictures_are_drawn_without_a_warning(insulated, kind, tmp_path):
     with warnings.catch_warnings():

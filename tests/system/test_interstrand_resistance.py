@@ -163,6 +163,7 @@ class TestTwoWiresThatTouchAllAlong:
             assert one.redistribution_lengths() == pytest.approx([1 / JOINT.rate], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_redistribution_in_a_triplet_is_twice_the_same(tmp_path):
     """Three equal wires: both modes have 1/l^2 = 3 r g."""
     film = litz.Interaction(conductance=litz.FilmSpot(1e-9))

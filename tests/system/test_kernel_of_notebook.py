@@ -38,6 +38,7 @@ def outputs(inputs, tmp_path, litz_program, monkeypatch):
     return [[output.get("data", output) for output in cell.outputs] for cell in notebook.cells]
 
 
+@pytest.mark.slow
 def test_a_kernel_shows_bars_tables_pictures_and_the_viewer(outputs):
     run, table, picture, sweep, viewer, link, inlined, model, served = outputs
     assert '<progress value="1.000"' in run[0]["text/html"]

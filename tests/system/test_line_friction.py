@@ -90,6 +90,7 @@ def test_a_wire_rolls_over_another_one_without_slip(run):
     assert np.abs(on_the_upper_wire(contacts)).max() < 1e-6 * contacts["force"].sum()
 
 
+@pytest.mark.slow
 def test_a_wire_around_a_drum_holds_what_its_surface_holds(run):
     """Capstan: with the couple of the friction on the surface the exponent is that of Euler times R/(R + r)."""
     mu, big, small, elements = 0.3, 10e-3, 0.2e-3, 72
@@ -144,6 +145,7 @@ class TestCantileversThatSlip:
         # the ends of the contact are spread over an element, and that at the clamps has half of its force
         assert -tip.mean() == pytest.approx(self.PAIR.path(forces)[-1], rel=2e-3)
 
+    @pytest.mark.slow
     def test_the_heat_of_a_cycle_is_that_of_the_loop_and_the_energies_balance(self, run):
         forces = np.array([2.0, -2.0, 2.0]) * self.PAIR.slip_force
         history = solved(run(cantilevers(self.PAIR, forces, static="0.1, 1."))).history

@@ -176,6 +176,7 @@ def test_at_a_new_largest_force_a_spot_has_nothing_to_remember(run):
     np.testing.assert_allclose(with_memory[[1, 3]], with_memory[[0, 2]], rtol=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sine", [0.12, 0.06, 0.03])
 @pytest.mark.parametrize(
     "law", [("HERTZ", ""), ("FILM", " 1e-12"), ("PLASTIC", " 1e9")], ids=["Hertz", "film", "plastic"]

@@ -25,6 +25,7 @@ def results_of(run):
 class TestFromPointToLine:
     """Two wires that are turned from 20 to 0.5 degrees under a constant force, 2 % each time."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("spot", SPOTS)
     def test_the_resistance_of_stiff_wires_falls_steadily(self, results_of, spot):
         _, resistance = turned_wires.from_point_to_line(results_of, SPOTS[spot])
@@ -35,12 +36,14 @@ class TestFromPointToLine:
         # that of the force is half a per cent; a place that begins to conduct as a whole is a step of 5 to 20 %
         assert ripple < 1e-2
 
+    @pytest.mark.slow
     def test_so_does_that_of_wires_that_bend(self, results_of):
         _, resistance = turned_wires.from_point_to_line(results_of, SPOTS["metal"], force=GENTLE, elastic=True)
         rise, ripple = turned_wires.unsteadiness(resistance)
         assert rise < 0
         assert ripple < 1e-2
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("elements", [9, 40])
     def test_a_given_resistance_per_length_is_that_of_the_length_that_touches(self, results_of, elements):
         """Tubes whose axes are a height h apart, h < 2 r, overlap over 2 sqrt(4 r^2 - h^2)/sin(psi)."""
@@ -81,6 +84,7 @@ class TestPlacesAtTheEnds:
         touching = turned_wires.touching_length(-overlap, np.radians(0.5))
         assert zones["length"][0] == pytest.approx(touching, abs=ledger["spacing"].max())
 
+    @pytest.mark.slow
     def test_in_the_network_they_are_part_of_their_contact(self, results):
         network = results.contact_network(-1)
         assert abs(network.current[0]) == pytest.approx(np.abs(results.contacts_at(-1)["current"]).sum(), rel=1e-12)
@@ -96,6 +100,7 @@ class TestWiresThatYield:
         deck = crossing_at_a_small_angle(overlaps, law="PLASTIC", data=f" {self.HARDNESS}", n=elements, sine=sine)
         return conductances_of_places(results_of(deck), len(overlaps))
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("sine", [0.12, 0.06, 0.03])
     def test_conduct_the_same_on_every_mesh(self, results_of, sine):
         """Lenses of 0.2 to 6 radii, which are the matter of the crossing, of the places or of both."""

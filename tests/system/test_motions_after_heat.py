@@ -75,6 +75,7 @@ def test_an_angle_beyond_half_a_turn_is_held_and_goes_on(run, again):
     assert moment[-1] == pytest.approx(torque, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_run_goes_on_from_every_increment(litz, tmp_path):
     later = static("0.3, 1\n", KEEP_ALL) + f"*STEP\n{HELD}*BOUNDARY\n1, 9, 9, 0.01\n*END STEP\n" + static("0.5, 1\n")
     text = deck(voltage_for(60.0), elements=7, bow=RADIUS / 4, increments="0.5, 1\n", step=KEEP_ALL, procedure=HELD,

@@ -67,6 +67,7 @@ def test_contacts_within_elements_feel_each_other_beside_the_voltage_that_the_el
     np.testing.assert_allclose(added, modes(0, 0.25) * THICK.resistivity / THICK.radius, rtol=0.04)
 
 
+@pytest.mark.slow
 def test_a_free_end_mirrors_the_spots(run):
     """Two spots near the end of the thick wire, whose round end counts as a flat one 2/3 r beyond its node: what is added
     there are both images, its own, too."""

@@ -44,6 +44,7 @@ def test_the_patch_has_one_line_for_each_output():
     assert [line.split("(")[0].split() for line in changed] == [["+", "call", "add"], ["+", "call", "table%field"]]
 
 
+@pytest.mark.slow
 def test_a_new_contact_quantity_is_in_the_ledger_and_in_the_points(run_of_the_copy):
     copy, _ = run_of_the_copy
     contacts = Results(copy / "whole").contacts

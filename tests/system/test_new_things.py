@@ -7,6 +7,7 @@ import pytest
 from new_things import PAGES, do, steps_of
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES)
 @pytest.mark.skipif(not all(map(shutil.which, ("meson", "ninja", "git"))), reason="needs meson, ninja and git")
 def test_the_steps_of_the_page_lead_to_a_run_with_what_is_new(page, changed_sources):

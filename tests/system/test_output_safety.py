@@ -163,6 +163,7 @@ def readable(directory, whole):
     return n
 
 
+@pytest.mark.slow
 def test_a_run_killed_at_any_write_leaves_files_that_are_whole_and_can_be_continued(litz, tmp_path, kill_at_write):
     deck = tmp_path / "deck.inp"
     deck.write_text(crossed(static="0.1, 1, 1e-3, 0.1", extra=KEEP_ALL))
@@ -191,6 +192,7 @@ def test_a_run_killed_at_any_write_leaves_files_that_are_whole_and_can_be_contin
     assert len(reached) > 5
 
 
+@pytest.mark.slow
 def test_a_run_killed_at_any_time_leaves_files_that_are_whole(litz_program, litz, tmp_path):
     deck = tmp_path / "deck.inp"
     deck.write_text(crossed(static="0.02, 1, 1e-3, 0.02", extra=KEEP_ALL))
@@ -231,6 +233,7 @@ def older(litz, tmp_path):
     return deck, tmp_path / "out"
 
 
+@pytest.mark.slow
 def test_older_results_stay_whole_until_the_new_run_has_an_increment_and_then_all_are_new(
     litz, older, tmp_path, kill_at_write
 ):
@@ -327,6 +330,7 @@ def test_a_full_disk_leaves_what_fits_and_says_so(litz_program, tmp_path, kiloby
         assert (Results(tmp_path / "on").steps[0], Results(tmp_path / "on").increments[0]) == last
 
 
+@pytest.mark.slow
 def test_whatever_fits_on_the_disk_can_be_read(litz_program, litz, tmp_path):
     """Files end at many places, also in the middle of what HDF5 writes at once."""
     deck = tmp_path / "deck.inp"

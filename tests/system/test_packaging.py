@@ -78,6 +78,7 @@ def plain():
     return {key: value for key, value in os.environ.items() if not key.startswith(("LITZ_", "PYTHON"))}
 
 
+@pytest.mark.slow
 def test_the_archive_has_what_git_has(sources, archive):
     tracked = set(call("git", "ls-files", cwd=sources).split("\n")) - {""}
     with tarfile.open(archive) as file:
@@ -86,6 +87,7 @@ def test_the_archive_has_what_git_has(sources, archive):
     assert packed - tracked == {"PKG-INFO"}
 
 
+@pytest.mark.slow
 def test_the_wheel_has_the_program_the_extension_and_every_file_of_the_package(wheel):
     with zipfile.ZipFile(wheel) as file:
         modes = {info.filename: info.external_attr >> 16 for info in file.infolist()}

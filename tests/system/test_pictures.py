@@ -51,6 +51,7 @@ class TestFiles:
     def test_other_formats(self, grid, tmp_path, name):
         assert litz.plot(grid, "residuals", tmp_path / name).stat().st_size > 1000
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("command", ["plot", "report"])
     def test_what_cannot_be_written_is_said_in_a_line(self, grid, tmp_path, command, capsys):
         (tmp_path / "file").touch()
@@ -130,6 +131,7 @@ def without_vtk(monkeypatch):
 
 
 class TestAnimation:
+    @pytest.mark.slow
     def test_a_gif_has_a_frame_for_each_increment_and_they_differ(self, grid, tmp_path):
         path = animation.animate(grid, tmp_path / "grid.gif", field="displacement", size=(300, 210))
         with Image.open(path) as moving:

@@ -53,6 +53,7 @@ def test_shares_of_places_and_crossings_that_change_with_the_load_take_no_iterat
     assert max(iterations[3:]) <= 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layers", [[1, 6], [1, 6, 12]], ids=("1+6", "1+6+12"))
 def test_a_strand_with_friction_lets_go_as_it_was_gripped_without_a_cut(layers, litz, tmp_path):
     """As the wires come off each other the overlaps become short, and crossings take over from the places of lines: twice
@@ -98,6 +99,7 @@ def force_at(results: Results, time: float) -> float:
     return results.contacts_at(int(np.argmin(np.abs(np.array(results.times) - time))))["force"].sum()
 
 
+@pytest.mark.slow
 def test_wires_of_a_strand_press_on_its_core_as_exact_helices(litz, tmp_path):
     """Pulled, then twisted, by clamps that are two lays apart: in the middle, where they are no longer felt."""
     length, radii = 90e-3, (0.52e-3, 0.5e-3)

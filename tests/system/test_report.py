@@ -31,6 +31,7 @@ def plain(text):
 
 
 class TestPage:
+    @pytest.mark.slow
     def test_it_is_the_same_when_processes_share_the_work(self, grid, page, tmp_path):
         shared = litz.report(grid, tmp_path / "shared.html", processes=2)
         assert shared.read_text(encoding="utf-8") == page
@@ -76,6 +77,7 @@ class TestPage:
         assert grid.deck.splitlines()[-2] in page
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["11_fibre_mat", "14_strand"])
 def test_pages_of_many_contacts_are_small_too(run_of_input, tmp_path, name):
     """The last increment at least, more of them where there is room, and pictures of less quality where there is none."""
@@ -123,6 +125,7 @@ class TestUnconverged:
         assert process.returncode == 2, process.stdout
         return process, results
 
+    @pytest.mark.slow
     @pytest.mark.filterwarnings("ignore:.*did not finish")
     def test_the_page_says_what_failed_at_which_node_and_contact(self, gave_up):
         process, results = gave_up
@@ -144,6 +147,7 @@ class TestUnconverged:
         assert litz.report(iterate) == results.path.with_name(f"{results.path.stem}_report.html")
 
 
+@pytest.mark.slow
 def test_the_command_writes_the_page_beside_the_results(run_of_input, capsys):
     directory = run_of_input("07_roll_up")
     assert main(["report", str(directory)]) == 0

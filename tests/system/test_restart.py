@@ -51,6 +51,7 @@ def test_an_interference_fit_and_single_rotations_go_on(litz, tmp_path):
     assert_goes_on_from_everywhere(litz, tmp_path, text)
 
 
+@pytest.mark.slow
 def test_large_rotations_amplitudes_and_loads_go_on(litz, tmp_path):
     ramp = "*AMPLITUDE, NAME=WAVE, TIME=TOTAL TIME\n 0, 0, 0.7, 1, 1.6, -1, 2, 0\n"
     text = ramp + cantilever(

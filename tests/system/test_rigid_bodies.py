@@ -207,6 +207,7 @@ def test_wires_in_a_clamp_keep_their_own_potentials(run):
     assert current == pytest.approx(np.repeat([-1e-3, 2e-3], 20) * conductance, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solver", ["BLOCK", "UMFPACK", "SKYLINE", pytest.param("MUMPS", marks=pytest.mark.mumps)])
 def test_a_run_with_rigid_bodies_goes_on_bit_for_bit(litz, tmp_path, solver):
     cards = twisted(1, f"\n*CLOAD\n {B}, 1, 5\n*SOLVER, NAME={solver}\n{KEEP_ALL.strip()}")

@@ -196,6 +196,7 @@ def test_a_rod_over_a_drum_touches_it_along_an_arc_with_forces_at_its_ends(run):
     assert total - line * (to - a) == pytest.approx(2.17944947, rel=5e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("tension", "friction", "expected"), [(5, 0.1, 1.33855346), (5, 0.3, 2.42600087)])
 def test_a_rod_that_is_pulled_over_a_drum_multiplies_its_tension(run, tension, friction, expected):
     """Exact for friction on the centre line; on the surface its moment takes off about `mu wrap a/R`, a/R = 0.01."""

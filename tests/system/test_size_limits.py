@@ -41,6 +41,7 @@ LARGE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LARGE)
 def test_large_decks_need_seconds_and_little_memory(litz_program, tmp_path, name):
     """1 GB of addresses, of which OpenBLAS and the libraries take a half, and 20 s, which quadratic work exceeds."""
@@ -92,6 +93,7 @@ def test_a_model_that_cannot_fit_is_refused_with_the_estimate(litz_program, long
     assert not (tmp_path / "results").exists()
 
 
+@pytest.mark.slow
 @needs_limit
 def test_want_of_memory_ends_in_words_wherever_it_comes_up(litz_program, long_wire, tmp_path):
     """From limits that the deck's text exceeds up to those that all arrays but the last fit into."""

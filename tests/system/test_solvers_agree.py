@@ -55,6 +55,7 @@ SENSITIVE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SENSITIVE)
 def test_decks_that_magnify_round_off_agree_on_a_figure_with_all_solvers(litz, inputs, tmp_path, solvers, name):
     forces = []

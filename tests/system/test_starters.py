@@ -52,6 +52,7 @@ def test_resistances_between_all_strands_of_the_triplet_follow_from_one_run(tmp_
     assert (length * 0.41e-3**2).sum() / jacket**2 == pytest.approx(0.65, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_fuse_of_the_starter_melts_as_that_of_the_deck(inputs, tmp_path):
     assert command("new", "fuse", cwd=tmp_path).returncode == 0
     mine = litz.run(tmp_path / "fuse.inp", output_directory=tmp_path / "mine")
@@ -68,6 +69,7 @@ def test_a_file_is_never_replaced(tmp_path):
     assert (tmp_path / "grid.inp").read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_the_list_and_wrong_names(tmp_path):
     listed = command("new", "--list", cwd=tmp_path)
     assert [line.split()[0] for line in listed.stdout.splitlines()] == list(STARTERS)

@@ -421,6 +421,7 @@ def test_the_summary_of_a_deck_lists_heat(litz, tmp_path):
     assert "heat sources in 1 element, films on 8 elements, radiation from 1 element" in summary
 
 
+@pytest.mark.slow
 def test_results_tell_temperatures_and_where_heat_leaves(litz, tmp_path):
     (tmp_path / "wire.inp").write_text(deck(loads=TestSides.FIN, model=TestSides.CONSTANTS))
     assert litz("run", tmp_path / "wire.inp", "-o", tmp_path / "wire", "--quiet").returncode == 0

@@ -175,6 +175,7 @@ class TestPictures:
         scene = SceneMaker(results, [-1], scale=100).scene(-1)
         assert scene.surface_points[:, 2].max() == pytest.approx(3 * RADIUS - 2e-8 - 100e-6)
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("with_opengl", [True, False])
     @pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")
     def test_a_picture_shows_them_half_transparent(self, results, tmp_path, monkeypatch, with_opengl):
@@ -187,6 +188,7 @@ class TestPictures:
         assert bluish.mean() > 0.15
         assert (picture.max(axis=2) - picture.min(axis=2) > 0.25).mean() > 0.005
 
+    @pytest.mark.slow
     @pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")
     def test_an_animation_has_them_in_every_frame(self, results, tmp_path):
         with Image.open(litz.animate(results, tmp_path / "plates.gif", max_frames=2, view="z")) as frames:
@@ -223,6 +225,7 @@ class TestViewer:
             results.contacts["force"].max(), results.surface_contacts["force"].max()
         )
 
+    @pytest.mark.slow
     def test_the_surfaces_are_seen_and_their_contacts_are_picked(self, results):
         with open_browser() as browser, ViewServer(results.path) as server:
             threading.Thread(target=server.serve_forever, daemon=True).start()

@@ -271,6 +271,7 @@ def children_of(pid):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["fork", "spawn"])
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="/proc lists the processes of a process")
 def test_sigterm_ends_the_workers_and_what_they_run(method, tmp_path):

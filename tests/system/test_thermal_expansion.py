@@ -259,6 +259,7 @@ def test_a_wire_swells_on_a_rigid_plane(litz, tmp_path):
     np.testing.assert_allclose(results.surface_contacts["force"][inner][-1], -gap * 1e10 * LENGTH / 8, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_heated_run_goes_on_bit_for_bit(litz, tmp_path):
     text = wire(
         bow=2e-5,

@@ -108,6 +108,7 @@ def texts_of(figure):
     return [one.get_text() for one in figure.findobj(matplotlib.text.Text)]
 
 
+@pytest.mark.slow
 def test_without_labels_pictures_and_the_report_have_no_units(two_runs, monkeypatch):
     (_, plain), (_, labelled) = two_runs
     figures = []

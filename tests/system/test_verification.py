@@ -142,6 +142,7 @@ def test_the_reports_show_misses(tmp_path, claim):
 # References: the numbers in the list are those that the modules compute, and these agree with each other.
 
 
+@pytest.mark.slow
 def test_the_values_of_the_elastica_are_those_of_the_elliptic_integrals():
     claims = {claim.id: claim for claim in read_claims()}
     exact = np.array([elastica.cantilever(load) for load in LOADS])
@@ -149,6 +150,7 @@ def test_the_values_of_the_elastica_are_those_of_the_elliptic_integrals():
         np.testing.assert_allclose(claims[f"elastica.B33.{name}"].reference, exact[:, i], rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_shooting_and_elliptic_integrals_agree():
     rigidity = Rigidity(ea=1e12, ga=1e12, gj=1.0, ei2=1.0, ei3=1.0)
     deflection, shortening, _ = elastica.cantilever(5.0)
@@ -208,6 +210,7 @@ def test_deflections_are_reciprocal(support):
     assert there == pytest.approx(back, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_wires_that_are_bent_little_have_the_force_of_clamped_beams_and_those_bent_far_a_larger_one():
     wire = {"ei": 3.0, "ea": 1e9}
     stiffness = 192 * 3.0 / 2.0**3

@@ -114,6 +114,7 @@ def in_words(value, unit):
 class TestZones:
     """Six wires that touch a core along lines."""
 
+    @pytest.mark.slow
     def test_a_line_is_picked_in_the_picture_and_its_zone_is_read(self, browser, strand):
         load(browser, strand.url)
         assert errors(browser) == []
@@ -128,6 +129,7 @@ class TestZones:
         assert found["force_per_length"] == in_words(zones["force_per_length"][picked], "N/m")
         assert (found["wire_1"], found["wire_2"]) == tuple(str(zones[f"wire_{k}"][picked] + 1) for k in (1, 2))
 
+    @pytest.mark.slow
     def test_the_colours_of_the_lines_have_a_bar_of_their_own(self, browser, strand):
         load(browser, strand.url)
         bar = browser.find_element("css selector", ".litz-zone-colours")
@@ -199,6 +201,7 @@ class TestPage:
         ledger = server.results.contacts_at(2)
         assert ledger_row(page)["force"] == in_words(ledger["force"][list(ledger["id"]).index(5)], "N")
 
+    @pytest.mark.slow
     def test_every_scalar_can_be_chosen_and_its_bar_has_the_range_of_the_run(self, page, server):
         from selenium.webdriver.support.ui import Select
 
@@ -244,6 +247,7 @@ class TestPage:
 
 
 class TestReport:
+    @pytest.mark.slow
     def test_a_report_works_from_a_file_with_nothing_beside_it(self, browser, report_of_grid):
         browser.execute_cdp_cmd("Network.enable", {})
         browser.execute_cdp_cmd("Network.emulateNetworkConditions",
@@ -257,6 +261,7 @@ class TestReport:
 
 
 class TestNotebook:
+    @pytest.mark.slow
     def test_a_saved_notebook_shows_the_results_with_nothing_beside_it(self, browser, run_of_input, tmp_path):
         results = litz.Results(run_of_input("04_wire_grid"))
         saved = tmp_path / "notebook.html"
@@ -308,6 +313,7 @@ class TestServer:
         with pytest.raises(litz.FileError, match=f"port {server.server_address[1]} cannot be used"):
             ViewServer(server.results, server.server_address[1])
 
+    @pytest.mark.slow
     def test_the_command_prints_the_address_and_ends_with_ctrl_c(self, run_of_input):
         # a shell that runs the tests in the background has them ignore Ctrl-C
         arguments = ["env", "--default-signal=INT", *ENTRY, "view", str(run_of_input("04_wire_grid")), "--no-browser"]

@@ -262,6 +262,7 @@ class TestKinds:
 
 
 class TestRunsThatAreCutShort:
+    @pytest.mark.slow
     def test_a_run_of_many_increments_keeps_one_entry(self, run):
         deck = shallow(static="2e-3, 1, 1e-4, 2e-3").replace("INC=200", "INC=1000")
         process, results = run(deck, "--quiet")

@@ -214,6 +214,7 @@ def test_ploughing_adds_to_friction(run):
     assert made / results.history["ALLFD"][-1] == pytest.approx(ploughed / (0.1 * pressed), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_what_climbing_out_of_a_dent_takes_is_in_the_balance(run):
     """Let go half way, then slid up the side of the dent until it is left: work = elastic energy + ALLPD, to first order in
     the increments; the force rises to that of metal that has not yielded before."""
@@ -285,6 +286,7 @@ def test_wires_that_turn_back_feel_their_dent_as_before(run):
     assert found[-1]["largest_force"] == pytest.approx(largest, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_wires_that_are_pressed_on_while_they_turn_keep_their_dent(run):
     """At 25 degrees to 2 um; to 80 degrees, where the spot is shorter, and to 2.04 um on the way; let go and turned back. The
     force at 80 degrees is the largest one there, but not the largest of all."""
@@ -327,6 +329,7 @@ def test_a_larger_force_at_less_overlap_does_not_fill_a_dent(run, lift):
     assert last["dent"] == pytest.approx(law(1.6e-6, largest).dent, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("back", [2e-6, 1.7e-6])
 def test_turning_in_a_dent_is_in_the_balance_of_energy(run, back):
     """Turned to where the spot is shorter, and back: work = elastic energy + ALLPD to first order in the increments, and in the

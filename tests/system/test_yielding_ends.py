@@ -92,6 +92,7 @@ def test_a_rod_slides_over_a_kink(run, degrees):
     assert force[:-1] == pytest.approx(force[-2::-1], rel=5e-3)
 
 
+@pytest.mark.slow
 def test_a_strand_of_wires_that_just_touch_yields_and_conducts(tmp_path):
     """Places whose wires touch to round-off as the strand begins to be pulled, and wires that end side by side."""
     touch = litz.Interaction(behaviour=litz.Hertz(yield_stress=YIELD), conductance=litz.HertzSpot())

@@ -78,6 +78,7 @@ def test_parallel_wires_follow_the_law_per_length_with_its_memory(run, elements)
         assert found["dent"] == pytest.approx(law(expected, largest).dent, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_the_balance_of_energy_closes_with_what_yielding_dissipates(run):
     errors = []
     for n in (20, 40):
@@ -107,6 +108,7 @@ def crossing(overlap, degrees, largest=0.0):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("degrees", "force_within", "conductance_within"), [(8, 0.02, 0.01), (5, 0.03, 0.02)])
 def test_places_along_a_short_lens_have_the_force_and_conductance_of_the_crossing(
     run, degrees, force_within, conductance_within
@@ -126,6 +128,7 @@ def test_places_along_a_short_lens_have_the_force_and_conductance_of_the_crossin
             assert conductance == pytest.approx(expected, rel=conductance_within)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", [12, 5, 3, 2, 1])
 def test_force_and_conductance_hardly_depend_on_the_mesh(run, degrees):
     found = []
@@ -141,6 +144,7 @@ def test_force_and_conductance_hardly_depend_on_the_mesh(run, degrees):
     np.testing.assert_allclose(fine[6], fine[1], rtol=5e-3)
 
 
+@pytest.mark.slow
 def test_force_and_conductance_change_steadily_with_the_angle(run):
     """Up and on the way back, from wires that cross to wires side by side."""
     rows = []
@@ -210,6 +214,7 @@ def test_rigid_surfaces_are_for_wires_that_do_not_yield(run):
     assert "on a rigid surface wires do not yield" in process.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("bend", "angle"), [(10, 8), (15, 20), (15, 30)])
 def test_a_wire_that_is_dragged_over_a_bend_keeps_its_contact(run, bend, angle):
     """The bend lies in the plane of contact: at the same height the force falls steadily as the wire comes onto the other leg,

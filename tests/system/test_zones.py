@@ -221,6 +221,7 @@ class TestStrand:
         with pytest.raises(ValueError, match="there is no wire 7: there are 7, counted from 0"):
             litz.plot(strand, "lines", tmp_path / "none.png", wire=7)
 
+    @pytest.mark.slow
     def test_legends_and_second_scales_of_the_overview_are_whole(self, strand, tmp_path):
         picture = imread(litz.plot(strand, "overview", tmp_path / "overview.png"))[..., :3]
         edge = picture[:, -int(0.005 * picture.shape[1]) :]

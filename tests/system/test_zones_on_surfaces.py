@@ -146,6 +146,7 @@ class TestViewer:
         assert len(now["surfaces"]) == 2
         assert model["largest"]["force"] == pytest.approx(pairs["force"][1], rel=1e-7)
 
+    @pytest.mark.slow
     def test_a_row_of_each_kind_shows_its_numbers(self, results):
         with open_browser() as browser, ViewServer(results.path) as server:
             threading.Thread(target=server.serve_forever, daemon=True).start()

@@ -318,6 +318,7 @@ class TestThreads:
         for found, expected in zip(many, one_by_one(kernels.contact_em, own, shared, 300), strict=True):
             assert np.array_equal(found, expected)
 
+    @pytest.mark.slow
     def test_their_number_does_not_matter(self, tmp_path):
         script = (
             "import sys; sys.path.insert(0, sys.argv[1]); import numpy as np; from test_batches import *;"

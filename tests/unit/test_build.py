@@ -76,6 +76,7 @@ def test_distance_of_segments():
     np.testing.assert_allclose(segment_distance(a, b, c, d), [0.5, 0.25, 5.0, 0.125], rtol=1e-15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MODELS)
 def test_no_two_wires_overlap(name):
     assert brute_force_gap(name) > 0
@@ -169,6 +170,7 @@ def test_isotropic_fibres_have_all_directions():
     np.testing.assert_allclose(np.einsum("ki,kj->ij", along, along) / 400, np.eye(3) / 3, atol=4 * 0.015)
 
 
+@pytest.mark.slow
 def test_overlapping_fibres_where_they_are_asked_for():
     arguments = {"size": (5e-3, 5e-3, 3e-3), "n_fibres": 15, "radius": 0.6e-3, "seed": 1, "orientation": "isotropic"}
     with pytest.raises(ValueError, match=r"only \d+ of 15 fibres fit"):
@@ -189,6 +191,7 @@ def test_grid_has_its_pitch():
     assert build.smallest_gap(model) == pytest.approx(0, abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("n_x", "n_y"), [(3, 4), (12, 12)])
 def test_all_crossings_of_a_pressed_grid_have_the_force_of_clamped_spans(n_x, n_y, tmp_path):
     """By symmetry no wire turns at its supports: spans of a pitch, loaded in their middles."""
@@ -229,6 +232,7 @@ def test_yarns_that_would_touch_beside_the_crossings_are_refused():
         build.woven_fabric(4, 4, pitch=0.4e-3, radius=0.1e-3)
 
 
+@pytest.mark.slow
 def test_a_run_of_a_strand_says_nothing_of_its_lines(litz, tmp_path):
     model = MODELS["strand"]()
     model.press(1e-9, voltage=1e-3)

@@ -174,6 +174,7 @@ def test_letters_give_the_hand_of_each_layer_and_are_repeated():
     assert turns == pytest.approx([-4 * math.pi / 9, 4 * math.pi / 9, -4 * math.pi / 9])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MODELS)
 def test_wires_of_strands_and_cables_do_not_overlap_and_some_touch(name):
     """Brute force over all pairs of neighbouring wires, as fine polygons."""
@@ -288,6 +289,7 @@ def test_a_rope_of_unlike_wires_has_a_group_for_each():
     assert (len(outer.wires), outer.radius, outer.material) == (42, 0.1e-3, build.COPPER)
 
 
+@pytest.mark.slow
 def test_wires_of_a_coarse_rope_have_room_where_the_program_sees_corners(litz, tmp_path):
     """Elements that bend by more than 20 degrees: their axes have corners, and the wires more room."""
     model = build.cable(

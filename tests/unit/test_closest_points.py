@@ -90,6 +90,7 @@ class Pair:
         return distances
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axis", ["linear", "hermite"])
 @pytest.mark.parametrize("bend", [0.05, 0.5, 1.2])
 def test_against_brute_force(axis, bend):

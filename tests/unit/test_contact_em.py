@@ -60,6 +60,7 @@ def test_tangent_is_the_derivative_of_the_residual_by_spins(name):
         assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["oblique", "strongly pre-rotated", "axes passed each other"])
 def test_tangent_is_the_derivative_of_the_residual_by_rotation_vectors(name):
     # rotation vectors up to beyond a half turn, from starting tangents that are not known to the element
@@ -79,6 +80,7 @@ def test_tangent_is_the_derivative_of_the_residual_by_rotation_vectors(name):
         assert max(errors.values()) < TOLERANCE, (seed, pair.laws, errors)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CLASSES)
 def test_residual_of_the_penalty_law_is_the_gradient_of_its_energy(name):
     laws = dict(spot_law="paper", eps_n=2.0, normal_law="linear")
@@ -648,6 +650,7 @@ class PairAtEnds:
 ENDS = [(0, -1), (0, 1), (-1, 0), (1, 0), (1, -1), (-1, -1)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", ENDS)
 def test_the_tangent_of_a_contact_at_an_end_is_the_derivative_of_its_residual(ends):
     for seed in range(20):

@@ -98,6 +98,7 @@ class RubbedPair(Pair):
         return np.arange(24).reshape(4, 6)[order].ravel()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("status", [STICK, SLIP], ids=["stick", "slip"])
 @pytest.mark.parametrize("name", KINDS)
 def test_tangent_is_the_derivative_of_the_residual(name, status):

@@ -306,6 +306,7 @@ def test_a_cluster_is_between_a_single_spot_and_the_whole_ellipse():
     assert (many.semi_major, many.semi_minor) == pytest.approx((whole.semi_major, whole.semi_minor))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [7, 37, 127, 500])
 def test_a_cluster_is_that_of_greenwood_s_spots(n):
     """Equal spots evenly spread over the disc of Hertz: each raises the potential of the others as a point."""

@@ -316,6 +316,7 @@ def test_contact_within_one_set_and_the_linear_axis(check):
 # size
 
 
+@pytest.mark.slow
 def test_a_large_deck_is_read_in_seconds(litz, tmp_path):
     # 300 000 lines, numbers in steps and backwards, a set per wire; the time allows for a slow and busy machine
     n = 150_000

@@ -244,6 +244,7 @@ class TestCommand:
         assert again.returncode == FileError.exit_code
         assert "is not overwritten" in again.stderr
 
+    @pytest.mark.slow
     def test_it_says_what_there_is(self, tmp_path):
         assert self.call("nastran", CROSSED).returncode == 1
         assert self.call("feap", CROSSED, "--reach", "-1").returncode == 1

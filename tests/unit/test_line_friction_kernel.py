@@ -73,6 +73,7 @@ class RubbedPair(LinePair):
         return self.rub(*self.after(dq))[1][:2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("status", [STICK, SLIP], ids=["stick", "slip"])
 @pytest.mark.parametrize("name", KINDS)
 def test_the_tangent_is_the_derivative_of_the_residual(name, status):

@@ -180,6 +180,7 @@ def test_resistance_of_a_lap_joint(conductance, resistance):
     assert LineJoint(20e-3, conductance, r, r).lap() == pytest.approx(resistance, rel=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hairpin", [False, True])
 def test_joints_are_the_limit_of_a_ladder_of_resistors(hairpin):
     joint, n = LineJoint(20e-3, 3e4, 0.02, 0.07), 2000

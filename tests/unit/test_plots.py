@@ -72,6 +72,7 @@ class TestPictures:
     # these wires cross: tests/system/test_zones.py draws contact along lines, test_surface_results.py rigid surfaces,
     # test_along_cable.py what a cable has
     @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("lines", "surfaces", "shares", "section")])
+    @pytest.mark.slow
     def test_every_kind_makes_a_picture_with_something_on_it(self, picture_of, kind):
         picture = picture_of(kind)
         assert picture.shape[0] > 500

@@ -82,6 +82,7 @@ def test_on_a_face_they_touch_side_by_side(cable):
     assert np.abs(model.x[:, 0]).max() == pytest.approx(across * (n / 2 - 0.8) / 2 + layer, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_no_strands_overlap(cable):
     """By points on the smooth axes, all against all."""
     _, model = cable

@@ -112,6 +112,7 @@ class TestOneMetal:
         assert spot.heat[0] < 0
         assert spot.hottest == 400
 
+    @pytest.mark.slow
     def test_potential_and_temperature_of_a_conical_constriction(self):
         """The differential equations of heat and current along a tube of any section, here a cone, by finite volumes."""
         n, bulk, voltage, conductivity = 400, (300.0, 500.0), 0.25, 380.0
