@@ -27,6 +27,8 @@ module litz_increment_warnings
    real(dp), parameter :: longest_smooth = 3.5_dp
    !> Nodes lie opposite each other to this part of half an element
    real(dp), parameter :: opposite = 0.2_dp
+   !> Part of the way between places up to which a place beside a crossing stands for nothing that would vary
+   real(dp), parameter :: least_length = 1.0e-3_dp
    !> Part of its width by which a contact may slide up the side of its dent in an increment
    real(dp), parameter :: longest_climb = 0.25_dp
 
@@ -232,8 +234,9 @@ contains
       longest = longest_smooth
       do i = 1, size(problem%state%contacts)
          associate (contact => problem%state%contacts(i), elements => problem%elements)
+            if (.not. contact%length > least_length*contact%spacing) cycle
             ! opposite nodes: places and feet lie in the same parts of their elements
-            if (.not. contact%length > 0 .or. abs(abs(contact%xi) - abs(contact%xi_bar)) < opposite) cycle
+            if (abs(abs(contact%xi) - abs(contact%xi_bar)) < opposite) cycle
             relative = maxval(elements%length([contact%element_bar, contact%element])/elements%radius( &
                [contact%element_bar, contact%element]))
             if (.not. relative > longest) cycle
