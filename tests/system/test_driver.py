@@ -302,8 +302,8 @@ def test_a_contact_at_nodes_of_curved_wires_is_one_contact(run, deck):
     contacts = results.contacts_at(-1)
     assert len(contacts["force"]) == 1
     # it did not leave the node: this is the case that is meant
-    assert abs(contacts["xi_2"][0]) == pytest.approx(1, abs=1e-7) or abs(contacts["xi_1"][0]) == pytest.approx(
-        1, abs=1e-7
+    assert abs(contacts["xi_2"][0]) == pytest.approx(1, abs=1e-9) or abs(contacts["xi_1"][0]) == pytest.approx(
+        1, abs=1e-9
     )
     pushed = np.abs(results.field("reaction_force")[results.node_sets["B"]].sum(axis=0)).max()
     assert contacts["force"][0] == pytest.approx(pushed, rel=1e-9)
