@@ -8,8 +8,8 @@
 !> The forces are those of spins, the tangent is the Hessian for incremental rotation vectors: between them is half the
 !> skew matrix of the moment that is left over (theory section 3). A run leaves one term out, which would make the
 !> tangent unsymmetric: how the angle changes the force of a contact. With it the tangent is exact. The
-!> force by which contacts resist to be bent otherwise (10.14b) is none here: its tangent, which beyond 30 degrees is left
-!> out, has test_contact_bending, and that it is the force of the energy is seen in tests/system/test_bent_wires.py.
+!> force by which contacts resist to be bent otherwise (10.14b) is none here: its tangent, left out beyond 30 degrees,
+!> has test_contact_bending, and that it is the force of the energy is seen in tests/system/test_bent_wires.py.
 program test_tangents
    use litz_kinds, only: dp
    use litz_assembly, only: evaluate
