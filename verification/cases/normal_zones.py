@@ -136,12 +136,14 @@ def measure(workspace):
         for y in COOLED
     ]  # fmt: skip
     shared = velocity_of_step(np.mean(RAMP) - COLD, FULL, CONDUCTIVITY, CAPACITY)
-    at = lambda **options: travel(workspace, "ramp", filaments(RAMP), RAMP[0], shared, **options)[0]  # noqa: E731
-    meshes = [at(size=factor * SIZE, per_element=8 * factor) for factor in (4, 2, 1)]
-    times = [at(size=2 * SIZE, per_element=count) for count in (1, 2, 4)]
+    meshes = [
+        travel(workspace, f"ramp_{factor}_{count}", filaments(RAMP), np.mean(RAMP), shared,
+               size=factor * SIZE, per_element=count)[0]
+        for factor, count in ((4, 8), (2, 8), (1, 8), (2, 4))
+    ]  # fmt: skip
     values["normal_zones.ramp"] = meshes[2]
     values["normal_zones.mesh"] = np.log2((meshes[0] - meshes[1]) / (meshes[1] - meshes[2]))
-    values["normal_zones.increments"] = np.log2((times[0] - times[1]) / (times[1] - times[2]))
+    values["normal_zones.increments"] = abs(meshes[3] / meshes[1] - 1)
     properties = tuple(f" {a}, {RANGE[0]}\n {b}, {RANGE[1]}\n" for a, b in OF_RANGE)
     fit = f"LAW=NBTI, N={N}, FRACTION={PART}, FIELD={FLUX}\n {', '.join(map(str, NBTI))}\n"
     values["normal_zones.strand"] = travel(workspace, "strand", fit, 6.0, ADIABATIC, properties=properties)[0]
