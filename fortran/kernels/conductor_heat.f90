@@ -27,7 +27,8 @@ module litz_conductor_heat
       !> [S] and by the temperature of either node [A/K]
       logical :: has_current = .false.
       real(dp) :: current = 0, by_voltage = 0, by_temperature = 0
-      !> With has_current: the current of the iterate, an unknown by itself, with which a change of the voltage makes heat [A]
+      !> With has_current: the current of the iterate, an unknown by itself, with which a change of the voltage makes
+      !> heat [A]
       real(dp) :: own = 0
       !> lambda [W/(m K)] and its derivative [W/(m K^2)]
       real(dp) :: conductivity = 0, dconductivity = 0
@@ -64,8 +65,8 @@ contains
       !> Currents and heat that leave the nodes (4) [A, W]
       real(dp), intent(out) :: r(4)
       type(heat_flows_t), intent(out) :: flows
-      real(dp) :: g, by_temperature, dv, t, dt, along, dalong, across, dacross, made, source, dsource(4), excess, drop, &
-         driven
+      real(dp) :: g, by_temperature, dv, t, dt, along, dalong, across, dacross, made, source, dsource(4), excess, drop
+      real(dp) :: driven                                              ! with which a change of the voltage makes heat
 
       dv = v(1) - v(2)
       drop = temperature(1) - temperature(2)

@@ -38,7 +38,7 @@ def is_normal(results):
 
 
 def test_the_quench_energy_of_a_wire_of_one_temperature_is_that_up_to_its_unstable_equilibrium(tmp_path):
-    """Heat of the current (T - Tb)/(Te - Tb) q and cooling h P/A (T - T0) are equal there."""
+    """The heat of the current, linear between BEGINS and ENDS, and the cooling h P/A (T - T0) are equal there."""
     found = litz.bisect(strand, "energy", (1e-6, 1e-3), is_normal, directory=tmp_path, tolerance=1e-3)
     cooling = 2 * FILM / RADIUS
     unstable = (FULL * BEGINS / (ENDS - BEGINS) - cooling * COLD) / (FULL / (ENDS - BEGINS) - cooling)
@@ -88,5 +88,5 @@ def test_a_tolerance_of_nothing_is_refused():
 
 @pytest.mark.filterwarnings("ignore:1 of 1 runs failed")
 def test_a_run_that_fails_ends_the_search_and_is_named():
-    with pytest.raises(litz.LitzError, match="the run at x = 0 failed.*ZeroDivisionError"):
+    with pytest.raises(litz.LitzError, match=r"the run at x = 0 failed.*ZeroDivisionError"):
         litz.bisect(lambda x: 1 / x, "x", (0.0, 4.0), lambda y: y < 0.5, directory=None)

@@ -70,7 +70,9 @@ def front_of_step(x, begin, at, cooling):
     return COLD + cold + FULL / speed * behind
 
 
-def travel(workspace, name, superconductor, at, expected, *, size=SIZE, per_element=PER_ELEMENT, cooling=0.0, properties=None):
+def travel(
+    workspace, name, superconductor, at, expected, *, size=SIZE, per_element=PER_ELEMENT, cooling=0.0, properties=None
+):
     """Velocity over the second half of a path [m/s], with places, times and temperatures.
 
     The front begins as that of a step in a wire of constant properties, far from both ends.
@@ -161,7 +163,13 @@ def draw(values, path):
             (line,) = axes.plot(1e3 * nodes, row, label=f"{1e3 * times[round(k)]:.2f} ms")
             near = np.arange(place - 8e-3, place + 8e-3, 1e-3)
             axes.plot(1e3 * near, front_of_step(near, place, np.mean(STEP), 0.0), ".", color=line.get_color())
-        axes.set(xlabel="x [mm]", ylabel="T [K]", title=f"{velocity:.2f} m/s; points: front of a step", xlim=(15, 70), ylim=(4, 25))
+        axes.set(
+            xlabel="x [mm]",
+            ylabel="T [K]",
+            title=f"{velocity:.2f} m/s; points: front of a step",
+            xlim=(15, 70),
+            ylim=(4, 25),
+        )
         axes.legend()
 
 

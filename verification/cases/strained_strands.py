@@ -59,7 +59,9 @@ def deck(wires, current):
     for i, (law, temperature, strain) in enumerate(wires):
         first, y = 10 * i + 1, 0.01 * i
         names = [first + j for j in range(4)]
-        nodes += "".join(f" {n}, {x:.17g}, {y:.17g}, 0\n" for n, x in zip(names, np.linspace(0, LENGTH, 4), strict=True))
+        nodes += "".join(
+            f" {n}, {x:.17g}, {y:.17g}, 0\n" for n, x in zip(names, np.linspace(0, LENGTH, 4), strict=True)
+        )
         elements += f"*ELEMENT, TYPE=B33, ELSET=W{i}\n" + "".join(f" {n}, {n}, {n + 1}\n" for n in names[:3])
         model += (
             f"*MATERIAL, NAME=M{i}\n*ELASTIC\n {YOUNG[0]}, 0.3\n*ELECTRICAL CONDUCTIVITY\n {SIGMA}\n"
@@ -124,10 +126,17 @@ def draw(values, path):
         strain = np.linspace(-9e-3, 4e-3, 200)
         rows = np.reshape(values["figure"], (len(TEMPERATURES), len(STRAINS)))
         for temperature, row in zip(TEMPERATURES, rows, strict=True):
-            (line,) = axes.plot(100 * strain, 1e-6 * critical_of_nb3sn(temperature, FLUX, strain), label=f"{temperature} K")
+            (line,) = axes.plot(
+                100 * strain, 1e-6 * critical_of_nb3sn(temperature, FLUX, strain), label=f"{temperature} K"
+            )
             axes.plot(100 * np.array(STRAINS), 1e-6 * row, "o", color=line.get_color())
         axes.plot(100 * mismatch(), 1e-6 * values["strained_strands.pair"], "k*", markersize=8, label="cooled pair")
-        axes.set(xlabel="strain [%]", ylabel="critical current density [A/mm$^2$]", title=f"Nb$_3$Sn at {FLUX} T; points: litz", ylim=(0, 700))
+        axes.set(
+            xlabel="strain [%]",
+            ylabel="critical current density [A/mm$^2$]",
+            title=f"Nb$_3$Sn at {FLUX} T; points: litz",
+            ylim=(0, 700),
+        )
         axes.legend(ncols=2, loc="upper left")
 
 
