@@ -85,8 +85,9 @@ def pair_deck():
     """A strand and a copper wire that have one length, from the heat treatment to the cold."""
     x = np.linspace(0, LENGTH, 4)
     lines = [f" {10 * k + i}, {place:.17g}, {0.01 * k}, 0" for k in range(2) for i, place in enumerate(x, 1)]
-    members = [f"*ELEMENT, TYPE=B33, ELSET=W{k}\n" + "\n".join(f" {10 * k + i}, {10 * k + i}, {10 * k + i + 1}" for i in (1, 2, 3))
-               for k in range(2)]  # fmt: skip
+    rows = ["\n".join(f" {10 * k + i}, {10 * k + i}, {10 * k + i + 1}" for i in (1, 2, 3)) for k in range(2)]
+    members = [f"*ELEMENT, TYPE=B33, ELSET=W{k}\n{row}" for k, row in enumerate(rows)]
+    guided = [f" {10 * k + i}, 2, 6" for k in range(2) for i in (2, 3, 4)]
     metal = f"*ELECTRICAL CONDUCTIVITY\n {SIGMA}\n*SUPERCONDUCTOR, N={N}, FRACTION={PART}, {nb3sn()}\n"
     materials = [
         f"*MATERIAL, NAME=M{k}\n*ELASTIC\n {YOUNG[k]}, 0.3\n*EXPANSION\n {ALPHA[k]}\n{'' if k else metal}"
@@ -96,7 +97,7 @@ def pair_deck():
     return "\n".join([
         "*HEADING", " A strand and a copper wire that are joined at their ends cool down", "*NODE, NSET=ALL", *lines, *members,
         *materials, "*EQUATION", " 2", " 14, 1, 1., 4, 1, -1.", "*INITIAL CONDITIONS, TYPE=TEMPERATURE", f" ALL, {TREATED}",
-        "*BOUNDARY", " 1, ENCASTRE", " 11, ENCASTRE", *(f" {10 * k + i}, 2, 6" for k in range(2) for i in (2, 3, 4)), " 1, 9", "*STEP", "*STATIC", " 0.25, 1.",
+        "*BOUNDARY", " 1, ENCASTRE", " 11, ENCASTRE", *guided, " 1, 9", "*STEP", "*STATIC", " 0.25, 1.",
         "*TEMPERATURE", f" ALL, {COLD}", "*CECURRENT", " 4, , -1", "*END STEP", "",
     ])  # fmt: skip
 
