@@ -686,9 +686,7 @@ def test_a_compacted_cable_is_pressed_together_by_its_current(results_of):
     # 0.3 % by the jacket: straight strands to the cosine of 4 degrees and what their bending takes
     strain = results.field("axial_force", ends[1]) / (110e9 * np.pi * 0.41e-3**2)
     assert strain.mean() == pytest.approx(-3e-3, rel=0.05)
-    between = [
-        results.interstrand_resistance(ends[step], superconducting=True).between("BUNDLE1", "BUNDLE2")
-        for step in (1, 2, 4)
-    ]
+    circuits = [results.interstrand_resistance(ends[step], superconducting=True) for step in (1, 2, 4)]
+    between = [circuit.between("BUNDLE1", "BUNDLE2") for circuit in circuits]
     assert between[0] == np.inf
     assert all(0 < resistance < 2e-3 for resistance in between[1:])
