@@ -15,6 +15,7 @@ from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
 
 from litz import closed_forms as cf
+from litz import kernels
 from litz.results.summary import summary
 from networks import Network, points_of_mat
 from results_at import at
@@ -687,7 +688,7 @@ def test_a_compacted_cable_is_pressed_together_by_its_current(results_of):
     fit = dict(C=4e10, Bc20=32.57, Tc0=17.17, p=0.7, q=2.1, Ca1=45.74, Ca2=4.431, e0=2.32e-3, em=-0.61e-3)
     area = np.pi * 0.41e-3**2
     strains = results.field("axial_force", ends[2]) / (110e9 * area) - 3e-3
-    critical = [area / 2 * litz.kernels.nb3sn(4.5, 11.5, strain, **fit).value for strain in strains]
+    critical = [area / 2 * kernels.nb3sn(4.5, 11.5, strain, **fit).value for strain in strains]
     np.testing.assert_allclose(results.field("critical_current", ends[2]), critical, rtol=1e-9)
     # most of the 0.3 % that the jacket takes; where strands leave the clamps they bend
     assert -6.3e-3 < strains.min() < -6e-3
