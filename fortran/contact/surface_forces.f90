@@ -1,0 +1,248 @@
+!> The forces of an element on a rigid surface, and their tangent.
+!>
+!> Source: theory section 12. The law per length is integrated over the parts of the element that overlap, whose ends
+!> move with the unknowns: a short lens is seen as well as a long contact, and as the force vanishes at the ends, the
+!> integral of the tangent is the tangent of the integral. Metal that yields is divided where it presses in its dents,
+!> too, and where it makes them deeper.
+module litz_surface_forces
+   use litz_kinds, only: dp
+   use litz_axis, only: axis_shape, on_axis
+   use litz_jets, only: jet_t, variable, constant, composed, operator(-), operator(*)
+   use litz_line_law, only: line_force_t, line_force
+   use litz_rigid_line, only: end_energy
+   use litz_rigid_surface, only: rigid_surface_t, surface_distance, distance_row, distance_hessian
+   use litz_surface_cells, only: surface_cell_t, surface_point_t, wire_axis_t
+   use litz_surface_dents, only: dent_at, dent_of_end, find_depths, pressing_pieces
+   use litz_surface_overlap, only: gap_at
+   use litz_yielding_place, only: yielding_place_t, place_state_t, state_of_place
+   use litz_yielding_spot, only: dent_t, yielding_state_t, state_at_overlap
+   implicit none
+   private
+   public :: press_cell, cell_forces, predicted_force
+
+   !> Gauss's rule of six points
+   real(dp), parameter :: gauss_place(6) = [-0.93246951420315202781_dp, -0.66120938646626451366_dp, &
+      -0.23861918608319690863_dp, 0.23861918608319690863_dp, 0.66120938646626451366_dp, 0.93246951420315202781_dp]
+   real(dp), parameter :: gauss_weight(6) = [0.17132449237917034504_dp, 0.36076157304813860757_dp, &
+      0.46791393457269104739_dp, 0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
+
+   !> Unit of length, in radii, of an overlap from the end of a wire on: up to two of them the end carries it, from six
+   !> on the wire beside it
+   real(dp), parameter :: resolution = 0.26_dp
+   !> Distance over which the slope at an end is taken, in radii
+   real(dp), parameter :: beside_end = 0.1_dp
+
+   !> A round end that nothing is beside.
+   type :: end_state_t
+      !> Work of the overlap in this increment from no force on, and what yielding dissipates of it [J]
+      real(dp) :: work = 0, yielded = 0
+      !> F [N], dF/ddelta [N/m], and stiffness of the elastic metal over that
+      real(dp) :: force = 0, stiffness = 0, elastic_part = 1
+   end type end_state_t
+
+contains
+
+   !> Places at which the wire overlaps, and the forces there.
+   subroutine press_cell(surface, axis, penalty, cell)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      !> eps_l [N/m^2] of `f = eps_l delta`; 0: the elastic law
+      real(dp), intent(in) :: penalty
+      type(surface_cell_t), intent(inout) :: cell
+
+      if (cell%yielding%yields) then
+         if (cell%overlap%n > 0) call find_depths(cell%dents, cell%yielding)
+         call press_pieces(surface, axis, penalty, pressing_pieces(cell%overlap, surface, axis%p, axis%radius, &
+            cell%dents, cell%yielding), cell)
+      else
+         associate (n => cell%overlap%n)
+            call press_pieces(surface, axis, penalty, transpose(reshape([cell%overlap%first(:n), &
+               cell%overlap%last(:n)], [n, 2])), cell)
+         end associate
+      end if
+   end subroutine press_cell
+
+   !> The same of pieces on which the force changes smoothly.
+   subroutine press_pieces(surface, axis, penalty, pieces, cell)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      !> eps_l [N/m^2]; first and last place of each piece (2, n)
+      real(dp), intent(in) :: penalty, pieces(:, :)
+      type(surface_cell_t), intent(inout) :: cell
+      type(surface_point_t) :: points(size(gauss_place)*size(pieces, 2) + 4)
+      real(dp) :: middle, half
+      integer :: n, piece, i, side
+
+      n = 0
+      do piece = 1, size(pieces, 2)
+         middle = (pieces(1, piece) + pieces(2, piece))/2
+         half = (pieces(2, piece) - pieces(1, piece))/2
+         do i = 1, size(gauss_place)
+            call add(middle + half*gauss_place(i), gauss_weight(i)*half*axis%length/2)
+         end do
+      end do
+      cell%length = sum(points(:n)%weight)
+      do side = 1, 2
+         if (cell%has_end(side)) call add_end(side)
+      end do
+      cell%points = points(:n)
+      cell%force = sum(cell%points%weight*cell%points%normal%force)
+      cell%energy = sum(cell%points%weight*cell%points%normal%energy)
+      cell%yielded = sum(cell%points%weight*cell%points%yielded)
+
+   contains
+
+      subroutine add(xi, weight)
+         !> Place, and the length for which it stands [m]
+         real(dp), intent(in) :: xi, weight
+         type(surface_point_t) :: point
+         real(dp) :: slope
+
+         point%xi = xi
+         point%weight = weight
+         call gap_at(surface, axis%p, axis%radius, xi, point%gap, slope)
+         if (point%gap >= 0) return
+         if (cell%yielding%yields) then
+            call press_dent(cell, point)
+            if (.not. point%normal%force > 0) return
+         else
+            point%normal = line_force(cell%law, -point%gap, penalty)
+            point%elastic_stiffness = point%normal%stiffness
+         end if
+         n = n + 1
+         points(n) = point
+      end subroutine add
+
+      !> A round end is a sphere on the surface, with a part of the force that goes with the slope from there on: with
+      !> the difference of the gaps here and beside.
+      subroutine add_end(end)
+         !> 1 or 2
+         integer, intent(in) :: end
+         type(end_state_t) :: whole
+         type(jet_t) :: energy, overlap, slope
+         real(dp) :: xi, gap(2), beside, way, unused
+
+         xi = 2.0_dp*end - 3
+         way = min(beside_end*axis%radius, axis%length/4)
+         beside = xi*(1 - 2*way/axis%length)
+         call gap_at(surface, axis%p, axis%radius, xi, gap(1), unused)
+         if (gap(1) >= 0) return
+         call gap_at(surface, axis%p, axis%radius, beside, gap(2), unused)
+         whole = state_of_end(cell, end, -gap(1))
+         if (.not. whole%work > 0) return
+         overlap = variable(-gap(1), 1)
+         slope = (1/way)*(overlap - variable(-gap(2), 2)) - constant(cell%bend_of_end(end)*way/2)
+         energy = end_energy(composed(overlap, whole%work, whole%force, whole%stiffness), cell%bend_of_end(end), &
+            resolution*axis%radius, overlap, slope)
+         if (.not. energy%value > 0) return
+         points(n + 1:n + 2)%xi = [xi, beside]
+         points(n + 1:n + 2)%weight = 1
+         points(n + 1:n + 2)%gap = gap
+         points(n + 1)%yielded = energy%value*whole%yielded/whole%work
+         points(n + 1)%normal = line_force_t(force=energy%first(1), stiffness=energy%second(1, 1), &
+            energy=energy%value - points(n + 1)%yielded)
+         points(n + 2)%normal = line_force_t(force=energy%first(2), stiffness=energy%second(2, 2))
+         points(n + 1:n + 2)%elastic_stiffness = points(n + 1:n + 2)%normal%stiffness*whole%elastic_part
+         points(n + 2)%coupling = energy%second(1, 2)
+         n = n + 2
+      end subroutine add_end
+
+   end subroutine press_pieces
+
+   !> Force of metal that yields at a place.
+   pure subroutine press_dent(cell, point)
+      type(surface_cell_t), intent(in) :: cell
+      !> With its place and gap
+      type(surface_point_t), intent(inout) :: point
+      type(place_state_t) :: state
+
+      state = state_of_place(yielding_place_t(.true., cell%yielding%strip, dent_at(cell%dents, cell%yielding, &
+         point%xi)), -point%gap)
+      point%normal = line_force_t(force=state%force, stiffness=state%stiffness, energy=state%energy)
+      point%elastic_stiffness = state%elastic_stiffness
+      point%yielded = state%dissipated
+   end subroutine press_dent
+
+   !> A round end that nothing is beside.
+   pure type(end_state_t) function state_of_end(cell, end, overlap) result(state)
+      type(surface_cell_t), intent(in) :: cell
+      !> 1 or 2
+      integer, intent(in) :: end
+      !> [m]
+      real(dp), intent(in) :: overlap
+      type(dent_t) :: dent
+      type(yielding_state_t) :: spot
+
+      state%elastic_part = 1
+      if (cell%yielding%yields) then
+         dent = dent_of_end(cell%dents, cell%yielding, end)
+         associate (law => cell%yielding%ends(end))
+            spot = state_at_overlap(law, dent, overlap)
+            if (.not. spot%force > 0) return
+            if (spot%loads) state%yielded = max(spot%dissipation - (dent%work - dent%energy), 0.0_dp)
+            state%elastic_part = 2*law%modulus*spot%disc/spot%stiffness
+         end associate
+         state%work = spot%energy + state%yielded
+         state%force = spot%force
+         state%stiffness = spot%stiffness
+      else
+         associate (coefficient => cell%law_of_end(end))
+            state%work = 0.4_dp*coefficient*overlap**2.5_dp
+            state%force = coefficient*overlap**1.5_dp
+            state%stiffness = 1.5_dp*coefficient*sqrt(overlap)
+         end associate
+      end if
+   end function state_of_end
+
+   !> Forces of a cell and their tangent: `R = -W f dg`, `K = W (f' dg dg^T - f d2g)`.
+   !>
+   !> In the second part of the tangent stands the force that the last step has predicted, where that is smaller: a
+   !> deep overlap of an iterate far from balance would bend the tangent without reason.
+   pure subroutine cell_forces(surface, axis, cell, k, r)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      type(surface_cell_t), intent(inout) :: cell
+      !> Tangent (18, 18), Hessian form, and residual (18)
+      real(dp), intent(out) :: k(:, :), r(:)
+      real(dp) :: weight(4), w1(4), w2(4), x(3), distance, normal(3), hessian(3, 3), part, before(18)
+      integer :: i
+
+      before = 0
+      k = 0
+      r = 0
+      part = 1
+      if (cell%predicted >= 0) part = min(1.0_dp, cell%predicted/max(cell%force, tiny(part)))
+      do i = 1, size(cell%points)
+         associate (point => cell%points(i))
+            call axis_shape(axis%interpolation, axis%length, point%xi, weight, w1, w2)
+            x = on_axis(weight, axis%x, axis%t)
+            call surface_distance(surface, x, distance, normal, hessian)
+            point%row = distance_row(weight, axis%t, x - surface%centre, normal)
+            r = r - point%weight*point%normal%force*point%row
+            k = k + point%weight*point%normal%stiffness*spread(point%row, 2, 18)*spread(point%row, 1, 18) &
+               - part*point%weight*point%normal%force &
+               *distance_hessian(weight, axis%t, x - surface%centre, normal, hessian)
+            if (abs(point%coupling) > 0) k = k + point%coupling*(spread(point%row, 2, 18)*spread(before, 1, 18) &
+               + spread(before, 2, 18)*spread(point%row, 1, 18))
+            before = point%row
+         end associate
+      end do
+   end subroutine cell_forces
+
+   !> Force after a linear step [N].
+   pure real(dp) function predicted_force(cell, step) result(force)
+      type(surface_cell_t), intent(in) :: cell
+      !> Of the unknowns (18)
+      real(dp), intent(in) :: step(:)
+      integer :: i
+
+      force = 0
+      do i = 1, size(cell%points)
+         associate (point => cell%points(i))
+            force = force + point%weight*max(0.0_dp, point%normal%force &
+               - point%normal%stiffness*dot_product(point%row, step))
+         end associate
+      end do
+   end function predicted_force
+
+end module litz_surface_forces
