@@ -39,9 +39,13 @@ module litz_surface_cells
       real(dp) :: gap = 0
       !> Per length; of an end its force, with the weight 1
       type(line_force_t) :: normal
-      !> Stiffness of the metal around the spot, which stays elastic [N/m^2], and what yielding dissipates in this
-      !> increment [J/m]; both of an end without the length
-      real(dp) :: elastic_stiffness = 0, yielded = 0
+      !> Stiffness of the metal around the spot, which stays elastic [N/m^2]; of an end [N/m]
+      real(dp) :: elastic_stiffness = 0
+      !> Place of the memory of metal that yields; 0: it has none here
+      integer :: place = 0
+      !> It is one of an end; what yielding dissipates there in this increment [J]
+      logical :: at_end = .false.
+      real(dp) :: yielded = 0
       !> How the gap changes with the unknowns
       real(dp) :: row(18) = 0
       !> How its force changes with the overlap of the point before it, and that one's with this [N/m]
@@ -78,9 +82,8 @@ module litz_surface_cells
       type(surface_dents_t) :: dents
       !> As last evaluated
       type(surface_point_t), allocatable :: points(:)
-      !> Force [N] and energy [J] of all points, what yielding dissipates in this increment [J], and length on which the
-      !> wire presses [m]
-      real(dp) :: force = 0, energy = 0, yielded = 0, length = 0
+      !> Force of all points [N], and length on which the wire presses [m]
+      real(dp) :: force = 0, length = 0
       !> Force that the last step has predicted [N]; negative: there was none
       real(dp) :: predicted = -1
       type(surface_memory_t) :: memory
@@ -173,7 +176,7 @@ contains
       cell%yielding%yields = normal%yields()
       if (.not. cell%yielding%yields) return
       cell%yielding%strip = yielding_on_surface(law, young, poisson, curvature, normal%yield_stress, normal%hardness)
-      cell%yielding%has_depths = .false.
+      if (allocated(cell%yielding%dent)) deallocate (cell%yielding%dent)
    end subroutine take_law
 
    !> Force of the ends over their overlap to the power of 3/2 (2) [N/m^1.5].
@@ -237,8 +240,10 @@ contains
    end function centre_of_force
 
    !> What the next increment has to know of a cell, with what friction has done in this one.
-   pure type(surface_memory_t) function advanced_memory(cell) result(memory)
+   pure type(surface_memory_t) function advanced_memory(cell, energy) result(memory)
       type(surface_cell_t), intent(in) :: cell
+      !> Of the overlap [J]
+      real(dp), intent(in) :: energy
 
       memory%last_dissipation = cell%friction_work
       if (.not. cell%force > 0) return
@@ -248,19 +253,21 @@ contains
             before%start%elastic_energy + friction%elastic_work)
          memory%slip_path = before%slip_path + norm2(friction%plastic_slip)
          memory%dissipation = before%dissipation + friction%dissipation
-         memory%energy = cell%energy
+         memory%energy = energy
       end associate
    end function advanced_memory
 
    !> What metal that yields has to know in the next increment.
-   pure type(surface_dents_t) function advanced_dents(surface, axis, cell) result(dents)
+   pure type(surface_dents_t) function advanced_dents(surface, axis, cell, yielded) result(dents)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis
       type(surface_cell_t), intent(in) :: cell
+      !> In this increment [J]
+      real(dp), intent(in) :: yielded
 
       dents = dents_after(cell%dents, surface, axis%p, axis%radius, cell%overlap)
       dents%largest_force = max(dents%largest_force, cell%force)
-      dents%dissipation = dents%dissipation + cell%yielded
+      dents%dissipation = dents%dissipation + yielded
    end function advanced_dents
 
    !> What results show of a cell that touches.

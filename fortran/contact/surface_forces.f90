@@ -2,8 +2,8 @@
 !>
 !> Source: theory section 12. The law per length is integrated over the parts of the element that overlap, whose ends
 !> move with the unknowns: a short lens is seen as well as a long contact, and as the force vanishes at the ends, the
-!> integral of the tangent is the tangent of the integral. Metal that yields is divided where it presses in its dents,
-!> too, and where it makes them deeper.
+!> integral of the tangent is the tangent of the integral. Where metal that yields has a memory the integral is the sum
+!> over its places, which stay where they are: what the wire presses in its dents changes by much as it moves by little.
 module litz_surface_forces
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, on_axis
@@ -12,13 +12,13 @@ module litz_surface_forces
    use litz_rigid_line, only: end_energy
    use litz_rigid_surface, only: rigid_surface_t, surface_distance, distance_row, distance_hessian
    use litz_surface_cells, only: surface_cell_t, surface_point_t, wire_axis_t
-   use litz_surface_dents, only: dent_at, dent_of_end, find_depths, pressing_pieces
+   use litz_surface_dents, only: n_places, has_places, place_of, find_dents, dent_of_end
    use litz_surface_overlap, only: gap_at
-   use litz_yielding_place, only: yielding_place_t, place_state_t, state_of_place
+   use litz_yielding_place, only: yielding_place_t, place_state_t, state_of_place, force_of_place
    use litz_yielding_spot, only: dent_t, yielding_state_t, state_at_overlap
    implicit none
    private
-   public :: press_cell, cell_forces, predicted_force
+   public :: press_cell, energies_of_cell, cell_forces, predicted_force
 
    !> Gauss's rule of six points
    real(dp), parameter :: gauss_place(6) = [-0.93246951420315202781_dp, -0.66120938646626451366_dp, &
@@ -49,61 +49,67 @@ contains
       !> eps_l [N/m^2] of `f = eps_l delta`; 0: the elastic law
       real(dp), intent(in) :: penalty
       type(surface_cell_t), intent(inout) :: cell
-
-      if (cell%yielding%yields) then
-         if (cell%overlap%n > 0) call find_depths(cell%dents, cell%yielding)
-         call press_pieces(surface, axis, penalty, pressing_pieces(cell%overlap, surface, axis%p, axis%radius, &
-            cell%dents, cell%yielding), cell)
-      else
-         associate (n => cell%overlap%n)
-            call press_pieces(surface, axis, penalty, transpose(reshape([cell%overlap%first(:n), &
-               cell%overlap%last(:n)], [n, 2])), cell)
-         end associate
-      end if
-   end subroutine press_cell
-
-   !> The same of pieces on which the force changes smoothly.
-   subroutine press_pieces(surface, axis, penalty, pieces, cell)
-      type(rigid_surface_t), intent(in) :: surface
-      type(wire_axis_t), intent(in) :: axis
-      !> eps_l [N/m^2]; first and last place of each piece (2, n)
-      real(dp), intent(in) :: penalty, pieces(:, :)
-      type(surface_cell_t), intent(inout) :: cell
-      type(surface_point_t) :: points(size(gauss_place)*size(pieces, 2) + 4)
-      real(dp) :: middle, half
-      integer :: n, piece, i, side
+      type(surface_point_t) :: points(2*size(gauss_place)*cell%overlap%n + n_places + 4)
+      logical :: remembers
+      integer :: n, part, i, side
 
       n = 0
-      do piece = 1, size(pieces, 2)
-         middle = (pieces(1, piece) + pieces(2, piece))/2
-         half = (pieces(2, piece) - pieces(1, piece))/2
-         do i = 1, size(gauss_place)
-            call add(middle + half*gauss_place(i), gauss_weight(i)*half*axis%length/2)
-         end do
+      remembers = cell%yielding%yields .and. has_places(cell%dents)
+      do part = 1, cell%overlap%n
+         associate (first => cell%overlap%first(part), last => cell%overlap%last(part))
+            if (remembers) then
+               ! on either side of the memory, where there is none
+               call add_part(first, min(last, cell%dents%first))
+               call add_part(max(first, cell%dents%last), last)
+            else
+               call add_part(first, last)
+            end if
+         end associate
       end do
+      if (remembers .and. cell%overlap%n > 0) then
+         call find_dents(cell%dents, cell%yielding)
+         do i = 1, n_places
+            call add(place_of(cell%dents, i), (cell%dents%last - cell%dents%first)/n_places*axis%length/2, i)
+         end do
+      end if
       cell%length = sum(points(:n)%weight)
       do side = 1, 2
          if (cell%has_end(side)) call add_end(side)
       end do
       cell%points = points(:n)
       cell%force = sum(cell%points%weight*cell%points%normal%force)
-      cell%energy = sum(cell%points%weight*cell%points%normal%energy)
-      cell%yielded = sum(cell%points%weight*cell%points%yielded)
 
    contains
 
-      subroutine add(xi, weight)
+      !> Places of a part that is to overlap, with Gauss's rule.
+      subroutine add_part(first, last)
+         !> Where it begins and ends; nothing where it ends before
+         real(dp), intent(in) :: first, last
+         integer :: k
+
+         if (.not. last > first) return
+         associate (middle => (first + last)/2, half => (last - first)/2)
+            do k = 1, size(gauss_place)
+               call add(middle + half*gauss_place(k), gauss_weight(k)*half*axis%length/2, 0)
+            end do
+         end associate
+      end subroutine add_part
+
+      subroutine add(xi, weight, place)
          !> Place, and the length for which it stands [m]
          real(dp), intent(in) :: xi, weight
+         !> Of the memory; 0: none
+         integer, intent(in) :: place
          type(surface_point_t) :: point
          real(dp) :: slope
 
          point%xi = xi
          point%weight = weight
+         point%place = place
          call gap_at(surface, axis%p, axis%radius, xi, point%gap, slope)
          if (point%gap >= 0) return
          if (cell%yielding%yields) then
-            call press_dent(cell, point)
+            call press_metal_that_yields(cell, point)
             if (.not. point%normal%force > 0) return
          else
             point%normal = line_force(cell%law, -point%gap, penalty)
@@ -138,6 +144,7 @@ contains
          points(n + 1:n + 2)%xi = [xi, beside]
          points(n + 1:n + 2)%weight = 1
          points(n + 1:n + 2)%gap = gap
+         points(n + 1:n + 2)%at_end = .true.
          points(n + 1)%yielded = energy%value*whole%yielded/whole%work
          points(n + 1)%normal = line_force_t(force=energy%first(1), stiffness=energy%second(1, 1), &
             energy=energy%value - points(n + 1)%yielded)
@@ -147,21 +154,50 @@ contains
          n = n + 2
       end subroutine add_end
 
-   end subroutine press_pieces
+   end subroutine press_cell
 
-   !> Force of metal that yields at a place.
-   pure subroutine press_dent(cell, point)
+   !> Force of metal that yields at a place, without its energy: that takes longer.
+   pure subroutine press_metal_that_yields(cell, point)
       type(surface_cell_t), intent(in) :: cell
       !> With its place and gap
       type(surface_point_t), intent(inout) :: point
       type(place_state_t) :: state
 
-      state = state_of_place(yielding_place_t(.true., cell%yielding%strip, dent_at(cell%dents, cell%yielding, &
-         point%xi)), -point%gap)
-      point%normal = line_force_t(force=state%force, stiffness=state%stiffness, energy=state%energy)
+      state = force_of_place(place_of_point(cell, point), -point%gap)
+      point%normal = line_force_t(force=state%force, stiffness=state%stiffness)
       point%elastic_stiffness = state%elastic_stiffness
-      point%yielded = state%dissipated
-   end subroutine press_dent
+   end subroutine press_metal_that_yields
+
+   !> The law of metal that yields at a place, with its dent.
+   pure type(yielding_place_t) function place_of_point(cell, point) result(place)
+      type(surface_cell_t), intent(in) :: cell
+      type(surface_point_t), intent(in) :: point
+
+      place%yields = .true.
+      place%strip = cell%yielding%strip
+      if (point%place > 0) place%dent = cell%yielding%dent(point%place)
+   end function place_of_point
+
+   !> Energy of a cell, and what yielding dissipates in this increment (2) [J].
+   pure function energies_of_cell(cell) result(energies)
+      type(surface_cell_t), intent(in) :: cell
+      real(dp) :: energies(2)
+      type(place_state_t) :: state
+      integer :: i
+
+      energies = 0
+      if (.not. allocated(cell%points)) return
+      do i = 1, size(cell%points)
+         associate (point => cell%points(i))
+            if (point%at_end .or. .not. cell%yielding%yields) then
+               energies = energies + point%weight*[point%normal%energy, point%yielded]
+            else
+               state = state_of_place(place_of_point(cell, point), -point%gap)
+               energies = energies + point%weight*[state%energy, state%dissipated]
+            end if
+         end associate
+      end do
+   end function energies_of_cell
 
    !> A round end that nothing is beside.
    pure type(end_state_t) function state_of_end(cell, end, overlap) result(state)

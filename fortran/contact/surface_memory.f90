@@ -4,7 +4,8 @@ module litz_surface_memory
    use litz_domain, only: domain_t
    use litz_friction_law, only: friction_start_t
    use litz_surface_cells, only: surface_cell_t, surface_memory_t, advanced_memory, advanced_dents
-   use litz_surface_dents, only: dents_of_numbers, numbers_of_dents, n_of_dents, find_depths
+   use litz_surface_dents, only: dents_of_numbers, numbers_of_dents, n_of_dents, find_dents
+   use litz_surface_forces, only: energies_of_cell
    use litz_surface_poses, only: present_surface, element_axis
    implicit none
    private
@@ -38,6 +39,7 @@ contains
          end if
          do i = 1, size(cells)
             cells(i)%dents = dents_of_numbers(state%surface_dents(:, i))
+            if (allocated(cells(i)%yielding%dent)) deallocate (cells(i)%yielding%dent)
          end do
       end associate
    end subroutine recall_memory
@@ -46,20 +48,22 @@ contains
    subroutine keep_memory(domain, cells)
       type(domain_t), intent(inout) :: domain
       type(surface_cell_t), intent(inout) :: cells(:)
+      real(dp) :: energies(2)
       integer :: i
 
       do i = 1, size(cells)
          associate (cell => cells(i))
-            cell%memory = advanced_memory(cell)
+            energies = energies_of_cell(cell)
+            cell%memory = advanced_memory(cell, energies(1))
             associate (m => cell%memory)
                domain%state%surface_memory(:, i) = [merge(1.0_dp, 0.0_dp, m%closed), m%start%traction, m%start%force, &
                   m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation, m%energy, m%last_dissipation]
             end associate
             if (.not. cell%yielding%yields) cycle
             cell%dents = advanced_dents(present_surface(domain, cell%pair), element_axis(domain, cell%element, &
-               cell%pair), cell)
-            cell%yielding%has_depths = .false.
-            if (cell%force > 0) call find_depths(cell%dents, cell%yielding)
+               cell%pair), cell, energies(2))
+            if (allocated(cell%yielding%dent)) deallocate (cell%yielding%dent)
+            if (cell%force > 0) call find_dents(cell%dents, cell%yielding)
             domain%state%surface_dents(:, i) = numbers_of_dents(cell%dents)
          end associate
       end do

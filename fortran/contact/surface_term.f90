@@ -20,7 +20,7 @@ module litz_surface_term
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
       laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force
-   use litz_surface_forces, only: press_cell, cell_forces, predicted_force
+   use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
    use litz_surface_friction, only: stick_stiffness_of
    use litz_surface_memory, only: recall_memory, keep_memory
    use litz_surface_poses, only: present_surface, surface_at_start, element_axis, surface_node
@@ -405,23 +405,27 @@ contains
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
       logical :: is_elastic(size(self%cells))
+      real(dp) :: held(2, size(self%cells))
       integer :: i
 
+      do i = 1, size(self%cells)
+         held(:, i) = energies_of_cell(self%cells(i))
+      end do
       associate (cells => self%cells, model => domain%model)
          is_elastic = [(.not. model%interactions(model%surface_pairs(cells(i)%pair)%interaction)%normal%line_penalty() &
             > 0, i=1, size(cells))]
-         energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
+         energies%contact = energies%contact + sum(held(1, :)) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
          energies%work = energies%work + sum(cells%friction%work_beyond_mean) + work_of_radii(self, domain)
          energies%friction = energies%friction + sum(cells%friction_work)
-         energies%yielding = energies%yielding + sum(cells%yielded)
+         energies%yielding = energies%yielding + sum(held(2, :))
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%mechanical_temperature, domain%mechanical_temperature(), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
          energies%thermal = energies%thermal + softening_on_surfaces(domain%model, domain%elements, &
             domain%state%mechanical_temperature, pack(cells%element, is_elastic), &
             pack(cells%overlap%nearest, is_elastic), pack(cells%memory%energy, is_elastic), &
-            pack(cells%energy, is_elastic))
+            pack(held(1, :), is_elastic))
       end associate
    end subroutine add_energies
 

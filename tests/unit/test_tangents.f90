@@ -50,6 +50,9 @@ program test_tangents
       //nl//'12, 5, 0.01'//nl//'12, 1, -0.2'//nl
    !> Differences are right to this part of the largest force that changes
    real(dp), parameter :: exact = 2.0e-7_dp
+   !> The points at which the forces of a lens on a rigid surface are added up move with its ends, which the tangent
+   !> leaves out: their sum hardly depends on where they are. Of elastic metal on the same plane that is 1e-3
+   real(dp), parameter :: of_quadrature = 3.0e-3_dp
    !> Temperatures of all nodes of the wires, unlike each other
    character(len=*), parameter :: heat = '*TEMPERATURE'//nl//'1, 10'//nl//'2, 90'//nl//'3, 20'//nl//'4, 40'//nl// &
       '11, 5'//nl//'12, 60'//nl//'13, 10'//nl//'14, 80'//nl
@@ -423,7 +426,7 @@ contains
 
       call solve_first_step(deck_of('B33', 'B33', surfaces(shape, place, law=yielding), '', '', ''), problem)
       do trial = 1, 2
-         call compare(name, problem, exact, 0.01_dp)
+         call compare(name, problem, of_quadrature, 0.01_dp)
          select type (surfaces => problem%terms(2)%term)
          type is (surface_term_t)
             call check(any(surfaces%cells%dents%dissipation > 0), name//': metal that has yielded', 0.0_dp)
@@ -431,7 +434,7 @@ contains
                associate (deepest => surfaces%cells(i)%dents%deepest)
                   deepest = 1.03_dp*deepest
                end associate
-               surfaces%cells(i)%yielding%has_depths = .false.
+               if (allocated(surfaces%cells(i)%yielding%dent)) deallocate (surfaces%cells(i)%yielding%dent)
             end do
          end select
       end do
