@@ -193,18 +193,26 @@ contains
       type(domain_t), intent(in) :: domain
       integer :: i
 
+      !$omp parallel do schedule(dynamic)
       do i = 1, size(self%cells)
-         associate (cell => self%cells(i))
-            associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
-               call press_cell(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), &
-                  law%line_penalty(), cell)
-            end associate
-            cell%friction = friction_law_t()
-            cell%traction = 0
-            if (.not. cell%force > 0) call forget_friction(cell%iteration)
-         end associate
+         call press_one(domain, self%cells(i))
       end do
+      !$omp end parallel do
    end subroutine press
+
+   !> Forces of a cell.
+   subroutine press_one(domain, cell)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(inout) :: cell
+
+      associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
+         call press_cell(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), &
+            law%line_penalty(), cell)
+      end associate
+      cell%friction = friction_law_t()
+      cell%traction = 0
+      if (.not. cell%force > 0) call forget_friction(cell%iteration)
+   end subroutine press_one
 
    !> Find the overlaps of the present iterate.
    subroutine survey(self, domain)

@@ -8,8 +8,8 @@ module litz_yielding_line
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_kinds, only: dp, pi
    use litz_law_input, only: wire_pair_t
-   use litz_line_law, only: line_wires_t, line_overlap_t, line_overlap, line_spot_t
-   use litz_yielding_profile, only: profile_t, profile_of_force
+   use litz_line_law, only: line_wires_t, line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t
+   use litz_yielding_profile, only: profile_t, profile_at, profile_of_force
    use litz_yielding_spot, only: onset_factor, yielding_t, yielding_crossing, yielding_ok
    implicit none
    private
@@ -229,15 +229,9 @@ contains
       state%overlap = overlap
       if (.not. overlap > dent%depth) return
       low = 0
+      high = huge(high)
       step = 0
-      high = max(dent%force, law%onset)
-      do iteration = 1, max_iterations
-         state = line_state_at_force(law, dent, high)
-         if (state%overlap >= overlap) exit
-         low = high
-         high = 2*high
-      end do
-      force = (low + high)/2
+      force = force_near(law, dent, overlap)
       do iteration = 1, max_iterations
          state = line_state_at_force(law, dent, force)
          if (state%overlap < overlap) low = force
@@ -253,6 +247,26 @@ contains
       state = line_state_at_force(law, dent, force + step)
       state%overlap = overlap
    end function line_state_at_overlap
+
+   !> A force per length that is about that at an overlap, positive [N/m].
+   pure real(dp) function force_near(law, dent, overlap) result(force)
+      type(yielding_line_t), intent(in) :: law
+      type(line_dent_t), intent(in) :: dent
+      !> delta [m], beyond the dent
+      real(dp), intent(in) :: overlap
+      type(line_force_t) :: elastic
+      type(profile_t) :: profile
+
+      if (dent%yielded .and. overlap < dent%overlap) then
+         force = dent%force*(overlap - dent%depth)/(dent%overlap - dent%depth)
+         return
+      end if
+      elastic = line_force(law%line, overlap, 0.0_dp)
+      force = elastic%force
+      if (.not. (law%of_lens > law%of_section .and. force > law%lens_force)) return
+      profile = profile_at(law%spot, overlap/law%spot%overlap)
+      force = law%lens_force*profile%force
+   end function force_near
 
    !> What the strip conducts per length, `1/g' = ((rho + rhob)/pi) Lam_e + sigma_f/(2 b)`, with A of the lens as it is.
    pure type(line_spot_t) function yielded_strip(law, state, film) result(spot)
@@ -298,17 +312,21 @@ contains
       end do
    end function returned_by_line
 
-   !> What loading up to a dent has dissipated per length: its work less what comes back [J/m].
-   pure real(dp) function dissipated_by_line(law, dent) result(lost)
+   !> What loading from a dent to another one dissipates per length: its work less what comes back of it [J/m].
+   pure real(dp) function dissipated_by_line(law, before, after) result(lost)
       type(yielding_line_t), intent(in) :: law
-      type(line_dent_t), intent(in) :: dent
+      type(line_dent_t), intent(in) :: before, after
+      type(line_dent_t) :: start
+      real(dp) :: middle
 
       lost = 0
-      if (.not. dent%yielded) return
-      lost = returned_by_line(law, line_dent(law, law%onset), 1.0_dp) - returned_by_line(law, dent, 1.0_dp) &
-         + work_between(law, law%onset, min(dent%force, max(law%force, law%lens_force)))
-      if (dent%force > max(law%force, law%lens_force)) lost = lost &
-         + work_between(law, max(law%force, law%lens_force), dent%force)
+      if (.not. after%yielded .or. before%force >= after%force) return
+      start = before
+      if (.not. before%yielded) start = line_dent(law, law%onset)
+      middle = min(max(start%force, law%force, law%lens_force), after%force)
+      lost = returned_by_line(law, start, 1.0_dp) - returned_by_line(law, after, 1.0_dp)
+      if (middle > start%force) lost = lost + work_between(law, start%force, middle)
+      if (after%force > middle) lost = lost + work_between(law, middle, after%force)
    end function dissipated_by_line
 
    !> Work of loading from a force per length to another [J/m].

@@ -51,8 +51,7 @@ contains
          made = place%dent
          if (strip%loads) made = line_dent(place%strip, strip%force)
          state%energy = returned_by_line(place%strip, made, strip%opening)
-         if (strip%loads) state%dissipated = dissipated_by_line(place%strip, made) &
-            - dissipated_by_line(place%strip, place%dent)
+         if (strip%loads) state%dissipated = dissipated_by_line(place%strip, place%dent, made)
       end associate
    end function state_of_place
 
