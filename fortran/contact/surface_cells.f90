@@ -284,7 +284,8 @@ contains
       contact%length = cell%length
       if (cell%yielding%yields) then
          contact%largest_force = cell%dents%largest_force
-         contact%dent = depth_of_dents(cell%dents, cell%yielding, cell%has_end)
+         contact%dent = depth_of_dents(cell%dents, cell%yielding, [any(cell%points%at_end .and. cell%points%xi < 0), &
+            any(cell%points%at_end .and. cell%points%xi > 0)])
          contact%yield_dissipation = cell%dents%dissipation
       end if
       contact%xi = centre_of_force(cell)

@@ -112,18 +112,18 @@ contains
    end function dent_of_end
 
    !> The deepest dent of all [m].
-   pure real(dp) function depth_of_dents(dents, law, has_end) result(depth)
+   pure real(dp) function depth_of_dents(dents, law, at_end) result(depth)
       type(surface_dents_t), intent(in) :: dents
       !> With its dents
       type(yielding_element_t), intent(in) :: law
-      !> (2)
-      logical, intent(in) :: has_end(2)
+      !> Its first and its second end carry something (2)
+      logical, intent(in) :: at_end(2)
       type(dent_t) :: dent
       integer :: end
 
       depth = maxval(law%dent%depth)
       do end = 1, 2
-         if (.not. has_end(end)) cycle
+         if (.not. at_end(end)) cycle
          dent = dent_of_end(dents, law, end)
          depth = max(depth, dent%depth)
       end do
@@ -150,8 +150,9 @@ contains
             if (to > before%last) dents%last = min(1.0_dp, to + margin*(to - dents%first))
          end if
       end associate
-      if (abs(dents%first - before%first) + abs(dents%last - before%last) > 0) &
+      if (abs(dents%first - before%first) + abs(dents%last - before%last) > 0) then
          dents%deepest = at_places(before, place_of(dents, [(i, i=1, n_places)]))
+      end if
       do i = 1, n_places
          call gap_at(surface, p, radius, place_of(dents, i), gap, unused_slope)
          dents%deepest(i) = max(-gap, dents%deepest(i))

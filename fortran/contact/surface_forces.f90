@@ -142,19 +142,29 @@ contains
             resolution*axis%radius, overlap, slope)
          if (.not. energy%value > 0) return
          points(n + 1:n + 2)%xi = [xi, beside]
-         points(n + 1:n + 2)%weight = 1
          points(n + 1:n + 2)%gap = gap
-         points(n + 1:n + 2)%at_end = .true.
-         points(n + 1)%yielded = energy%value*whole%yielded/whole%work
-         points(n + 1)%normal = line_force_t(force=energy%first(1), stiffness=energy%second(1, 1), &
-            energy=energy%value - points(n + 1)%yielded)
-         points(n + 2)%normal = line_force_t(force=energy%first(2), stiffness=energy%second(2, 2))
-         points(n + 1:n + 2)%elastic_stiffness = points(n + 1:n + 2)%normal%stiffness*whole%elastic_part
-         points(n + 2)%coupling = energy%second(1, 2)
+         call fill_end(whole, energy, points(n + 1:n + 2))
          n = n + 2
       end subroutine add_end
 
    end subroutine press_cell
+
+   !> Forces of an end, at its two places.
+   pure subroutine fill_end(whole, energy, points)
+      type(end_state_t), intent(in) :: whole
+      !> By the overlaps of both
+      type(jet_t), intent(in) :: energy
+      type(surface_point_t), intent(inout) :: points(2)
+
+      points%weight = 1
+      points%at_end = .true.
+      points(1)%yielded = energy%value*whole%yielded/whole%work
+      points(1)%normal = line_force_t(force=energy%first(1), stiffness=energy%second(1, 1), &
+         energy=energy%value - points(1)%yielded)
+      points(2)%normal = line_force_t(force=energy%first(2), stiffness=energy%second(2, 2))
+      points%elastic_stiffness = points%normal%stiffness*whole%elastic_part
+      points(2)%coupling = energy%second(1, 2)
+   end subroutine fill_end
 
    !> Force of metal that yields at a place, without its energy: that takes longer.
    pure subroutine press_metal_that_yields(cell, point)
