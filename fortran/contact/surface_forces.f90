@@ -265,7 +265,7 @@ contains
             call surface_distance(surface, x, distance, normal, hessian)
             point%row = distance_row(weight, axis%t, x - surface%centre, normal)
             r = r - point%weight*point%normal%force*point%row
-            k = k + point%weight*point%normal%stiffness*spread(point%row, 2, 18)*spread(point%row, 1, 18) &
+            k = k + point%weight*stiffness_of(cell, point)*spread(point%row, 2, 18)*spread(point%row, 1, 18) &
                - part*point%weight*point%normal%force &
                *distance_hessian(weight, axis%t, x - surface%centre, normal, hessian)
             if (abs(point%coupling) > 0) k = k + point%coupling*(spread(point%row, 2, 18)*spread(before, 1, 18) &
@@ -274,6 +274,20 @@ contains
          end associate
       end do
    end subroutine cell_forces
+
+   !> Stiffness in the tangent, per length [N/m^2]. Metal that yields is the softer the deeper it is pressed: where it has
+   !> touched against what the last step predicted the tangent would lead off it again, and the secant does not.
+   pure real(dp) function stiffness_of(cell, point) result(stiffness)
+      type(surface_cell_t), intent(in) :: cell
+      type(surface_point_t), intent(in) :: point
+      real(dp) :: depth
+
+      stiffness = point%normal%stiffness
+      if (point%at_end .or. .not. cell%yielding%yields .or. abs(cell%predicted) > 0) return
+      depth = 0
+      if (point%place > 0) depth = cell%yielding%dent(point%place)%depth
+      stiffness = max(stiffness, point%normal%force/(-point%gap - depth))
+   end function stiffness_of
 
    !> Force after a linear step [N].
    pure real(dp) function predicted_force(cell, step) result(force)
