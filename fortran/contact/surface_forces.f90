@@ -275,8 +275,8 @@ contains
       end do
    end subroutine cell_forces
 
-   !> Stiffness in the tangent, per length [N/m^2]. Metal that yields is the softer the deeper it is pressed: where it has
-   !> touched against what the last step predicted the tangent would lead off it again, and the secant does not.
+   !> Stiffness in the tangent, per length [N/m^2]. Metal that yields is the softer the deeper it is pressed: where it
+   !> has touched against what the last step predicted the tangent would lead off it again, and the secant does not.
    pure real(dp) function stiffness_of(cell, point) result(stiffness)
       type(surface_cell_t), intent(in) :: cell
       type(surface_point_t), intent(in) :: point
