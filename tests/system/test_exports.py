@@ -10,7 +10,7 @@ import pyvista as pv
 
 import litz
 from litz import Results
-from test_cli import command
+from in_process import command
 
 DECK = "05_clamped_pair"
 

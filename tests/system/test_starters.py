@@ -5,7 +5,7 @@ import pytest
 
 import litz
 from litz.build.starters import STARTERS
-from test_cli import command
+from in_process import command
 
 #: Those with wires that touch
 TOUCHING = [task for task in STARTERS if task != "fuse"]
