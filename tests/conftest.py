@@ -3,6 +3,7 @@
 import contextlib
 import fcntl
 import functools
+import importlib
 import importlib.resources
 import importlib.util
 import os
@@ -12,6 +13,21 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
+
+def load_numpy_with_one_thread():
+    """The tests are divided among as many processes as there are processors; threads of BLAS would wait for each other."""
+    chosen = os.environ.get("OPENBLAS_NUM_THREADS")
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    importlib.import_module("numpy")
+    if chosen is None:
+        # the programs that tests start choose themselves
+        del os.environ["OPENBLAS_NUM_THREADS"]
+    else:
+        os.environ["OPENBLAS_NUM_THREADS"] = chosen
+
+
+load_numpy_with_one_thread()
 
 
 def find_program() -> Path:
