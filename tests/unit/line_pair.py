@@ -109,7 +109,11 @@ class LinePair:
             tangent = sum(a * b for a, b in zip(hb1, at, strict=True))
             bend = sum(a * b for a, b in zip(hb2, at, strict=True))
             w = self.vector(x, t, xi_bar)
-            xi_bar = xi_bar - (w @ tangent) / (tangent @ tangent + w @ bend)
+            change = (w @ tangent) / (tangent @ tangent + w @ bend)
+            xi_bar = xi_bar - change
+            # of a complex step this was the iteration that is exact to first order
+            if abs(change.real) < 1e-14:
+                break
         return xi_bar
 
     def gap(self, dq):
