@@ -5,6 +5,7 @@ import io
 import os
 import subprocess
 import warnings
+from pathlib import Path
 
 from litz.cli import COMMANDS, main
 
@@ -12,7 +13,7 @@ from litz.cli import COMMANDS, main
 def command(*arguments, cwd=None):
     """What `litz ARGUMENTS` answers, as a finished process."""
     assert arguments[0] in COMMANDS, "commands of the program replace the process"
-    out, err, before = io.StringIO(), io.StringIO(), os.getcwd()
+    out, err, before = io.StringIO(), io.StringIO(), Path.cwd()
     os.chdir(cwd or before)
     try:
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), warnings.catch_warnings():

@@ -9,8 +9,8 @@ import pytest
 import pyvista as pv
 
 import litz
-from litz import Results
 from in_process import command
+from litz import Results
 
 DECK = "05_clamped_pair"
 

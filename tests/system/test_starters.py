@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import litz
-from litz.build.starters import STARTERS
 from in_process import command
+from litz.build.starters import STARTERS
 
 #: Those with wires that touch
 TOUCHING = [task for task in STARTERS if task != "fuse"]

@@ -7,8 +7,7 @@ and the round-off at most 1e-16/step.
 import numpy as np
 import pytest
 
-from derivatives import turned
-from derivatives import rotation
+from derivatives import rotation, turned
 from line_pair import KINDS, LinePair, hermite
 from litz import _core
 from litz.kernels import closest_points, line_point
