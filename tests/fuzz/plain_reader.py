@@ -551,7 +551,7 @@ class PlainReader:
 
     def read_controls(self, parameters, data, controls):
         kind = squeezed(parameters["PARAMETERS"])
-        names = {"FIELD": [["r_n", "c_n"]], "ROTATION": [["cap"]],
+        names = {"FIELD": [["r_n", "c_n"]], "ROTATION": [["cap"]], "STABILIZE": [],
                  "TIMEINCREMENTATION": [["", "", "", "i_c", "i_l", "i_g", "", "i_a"],
                                         ["d_f", "", "d_b", "", "", "", "d_d"]]}[kind]  # fmt: skip
         for row, line in zip(names, data, strict=False):

@@ -10,7 +10,8 @@ import pytest
 import litz
 from litz import Results
 from litz.errors import InputError
-from test_converted_decks import CAE, command
+from test_cli import command
+from test_converted_decks import CAE
 
 MODES = CAE[CAE.index("*Step, name=Modes") : CAE.index("*Step, name=Load")]
 DECK = CAE.replace(MODES, "")

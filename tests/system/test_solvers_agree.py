@@ -75,6 +75,8 @@ def test_decks_that_magnify_round_off_agree_on_a_figure_with_all_solvers(litz, i
 
 #: Those of many elements or increments
 LONG = {"12_woven_fabric", "19_fuse"}
+#: Strands that slide along each other in 47 increments: test_inputs has their figures
+SLIDING = {"24_compacted_cable"}
 
 
 @pytest.mark.parametrize(
@@ -82,7 +84,7 @@ LONG = {"12_woven_fabric", "19_fuse"}
     [
         pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
         for path in INPUTS
-        if path.stem not in SENSITIVE
+        if path.stem not in SENSITIVE and path.stem not in SLIDING
     ],
     ids=lambda path: path.stem,
 )
