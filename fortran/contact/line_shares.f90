@@ -5,11 +5,12 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, settle_bends, change_of_bends, &
+   use litz_axis_curvature, only: axis_curvature
+   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, qualities_of, settle_bends, change_of_bends, &
       change_of_resistance
    use litz_bent_wires, only: bent_crossing_t
-   use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
-      place_at_ends, flatness, least_bend, deepest
+   use litz_contact_lens, only: has_lens, sine_of_lens, sine_of_overlap, half_length_of, half_length_on, &
+      divide_at_ends, tells_shares, place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
    use litz_cut_lens, only: cut_lens_t, is_cut
@@ -18,7 +19,7 @@ module litz_line_shares
    use litz_lens_growth, only: settle_growth
    use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
-   use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
+   use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
    use litz_line_places, only: line_places_t, spacing_of_places
    use litz_model, only: model_t
@@ -145,8 +146,8 @@ contains
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
-      point%lens_sine = lens_sine(point%kinematics)
-      point%lens_quality = crossing_qualities(point%kinematics)
+      point%lens_sine = sine_of_overlap(point)
+      point%lens_quality = qualities_of(point)
       point%lens_share = share_at_crossing(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
@@ -169,7 +170,7 @@ contains
 
       share = 0
       if (size(contact%line_points) == 0) return
-      quality = crossing_qualities(point%kinematics)
+      quality = qualities_of(point)
       share = share_of_pass(quality)*share_along(wires, elements, contact, by_place, point%element_bar, point%xi_bar, &
          point%element, point%arc) + share_of_pass(quality([2, 1]))*share_along(wires, elements, contact, by_place, &
          point%element, point%xi, point%element_bar, point%arc_bar)
@@ -187,7 +188,7 @@ contains
       real(dp), intent(out) :: largest_change
       type(points_by_place_t) :: by_place
       type(crossings_of_wires_t) :: sorted
-      real(dp) :: xe(3, 4), t(3, 4), length(2), before
+      real(dp) :: before
       type(contact_point_t) :: earlier
       integer :: i
 
@@ -211,8 +212,7 @@ contains
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i))
             before = point%weight
-            call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
-            call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
+            call share_line_point(model, wires, elements, contact, sorted, x, rotation, point)
             if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before) &
                /contact%places%length(point%line_place))
          end associate
@@ -270,21 +270,27 @@ contains
    !>
    !> Along the wire of the place the distance to the other is `D(s) = D + t s + k s^2/2`, which is below the sum of the
    !> radii over a half length `aW = sqrt(2 (delta + t^2/(2 k))/k)`: for straight wires that of their crossing.
-   pure subroutine share_line_point(wires, elements, contact, sorted, xe, tangents, length, point)
+   pure subroutine share_line_point(model, wires, elements, contact, sorted, x, rotation, point)
+      type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> With the crossings, and these along their wires
       type(contact_set_t), intent(in) :: contact
       type(crossings_of_wires_t), intent(in) :: sorted
-      !> Nodal positions (3, 4) [m] and tangents (3, 4), reference lengths (2) [m]: element of the foot first
-      real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
       type(contact_point_t), intent(inout) :: point
       type(line_profile_t) :: profile
+      real(dp) :: xe(3, 4), tangents(3, 4), length(2), curvature(3, 2)
       real(dp) :: tilt, reach, distance, rate, of_length, of_lap(2), part
       integer :: i, legs(2)
 
+      call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, tangents, length)
+      curvature(:, 1) = axis_curvature(model, wires, elements, axis_hermite, point%element_bar, point%xi_bar, &
+         x, rotation)
+      curvature(:, 2) = axis_curvature(model, wires, elements, axis_hermite, point%element, point%xi, x, rotation)
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
-         point%kinematics%distance)
+         point%kinematics%distance, curvature)
       associate (d => point%kinematics%distance, bend => profile%bend, quality => profile%quality, &
          pair => [point%element_bar, point%element])
          tilt = abs(profile%slope)
@@ -396,7 +402,7 @@ contains
       short = (1 - crossing%long_share)*smooth_step(nearness)
       ! a wedge is cut by an end or joint, and not by a crossing; what bends less than its lens goes on beyond it
       if (.not. any(legs > 0)) short = short*smooth_step(bend*crossing%kinematics%distance &
-         /(bends_as_lens*lens_sine(crossing%kinematics)**2))
+         /(bends_as_lens*sine_of_overlap(crossing)**2))
       if (.not. short > 0) return
       radius = minval(crossing%radius)
       if (any(legs > 0)) then
@@ -431,7 +437,7 @@ contains
       !> The smaller one [m]
       real(dp), intent(in) :: radius
 
-      share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(lens_sine(crossing%kinematics) &
+      share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(sine_of_overlap(crossing) &
          *radius))
    end function share_of_kept
 

@@ -156,7 +156,8 @@ contains
    end function over_w
 
    !> How the distance changes along the unbarred wire.
-   pure type(line_profile_t) function line_profile(x, t, length, axis, xi_bar, xi, normal, distance) result(profile)
+   pure type(line_profile_t) function line_profile(x, t, length, axis, xi_bar, xi, normal, distance, curvature) &
+      result(profile)
       !> Nodal positions [m] and unit tangents (3, 4): barred 1, barred 2, 1, 2
       real(dp), intent(in) :: x(3, 4), t(3, 4)
       !> Reference lengths (2) [m]: barred, unbarred
@@ -167,9 +168,11 @@ contains
       real(dp), intent(in) :: xi_bar, xi
       !> Normal (3) and distance of the axes [m] there
       real(dp), intent(in) :: normal(3), distance
+      !> Of the barred and the unbarred axis there (3, 2) [1/m], instead of that of the elements
+      real(dp), intent(in), optional :: curvature(3, 2)
       real(dp), dimension(4) :: h, h1, h2
       real(dp), dimension(3) :: x1, x2, xb1, xb2
-      real(dp) :: along, square, square_bar, tilt
+      real(dp) :: along, square, square_bar, tilt, bends(2)
 
       call axis_shape(axis, length(2), xi, h, h1, h2)
       x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
@@ -184,7 +187,9 @@ contains
          profile%slope = -dot_product(n, x1)/sqrt(square)
          tilt = abs(dot_product(n, x1))/sqrt(square)                                            ! |t|
          profile%slope_bar = dot_product(n, xb1)/norm2(xb1)
-         quality = 1 - d*[-dot_product(n, xb2)/square_bar, dot_product(n, x2)/square]           ! q of either pass
+         bends = [dot_product(n, xb2)/square_bar, dot_product(n, x2)/square]
+         if (present(curvature)) bends = matmul(n, curvature)
+         quality = 1 + d*[1, -1]*bends                                                          ! q of either pass
          profile%bend = (quality(2) - along**2/(square*square_bar*quality(1)) - tilt**2)/d      ! k
       end associate
    end function line_profile
