@@ -27,6 +27,9 @@ module litz_conductor_heat
       !> [S] and by the temperature of either node [A/K]
       logical :: has_current = .false.
       real(dp) :: current = 0, by_voltage = 0, by_temperature = 0
+      !> With has_current: the current of the iterate, an unknown by itself, with which a change of the voltage makes
+      !> heat [A]
+      real(dp) :: own = 0
       !> lambda [W/(m K)] and its derivative [W/(m K^2)]
       real(dp) :: conductivity = 0, dconductivity = 0
       !> eta: part of the electric power that becomes heat
@@ -63,6 +66,7 @@ contains
       real(dp), intent(out) :: r(4)
       type(heat_flows_t), intent(out) :: flows
       real(dp) :: g, by_temperature, dv, t, dt, along, dalong, across, dacross, made, source, dsource(4), excess, drop
+      real(dp) :: driven                                              ! with which a change of the voltage makes heat
 
       dv = v(1) - v(2)
       drop = temperature(1) - temperature(2)
@@ -70,14 +74,17 @@ contains
       g = 0
       by_temperature = 0                                                         ! of either node
       flows%current = 0
+      driven = 0
       if (wire%has_current) then
          flows%current = wire%current
          g = wire%by_voltage
          by_temperature = wire%by_temperature
+         driven = wire%own
       else if (wire%resistivity > 0) then
          g = wire%area/(wire%resistivity*wire%length)
          flows%current = g*dv                                                                              ! (1)
          by_temperature = -flows%current*wire%dresistivity/(2*wire%resistivity)
+         driven = flows%current
       end if
       flows%joule_heat = wire%heat_fraction*flows%current*dv
 
@@ -88,7 +95,7 @@ contains
       dacross = wire%film*wire%length/4*dt
       made = flows%joule_heat + wire%source
       source = made*t/2
-      dsource = [wire%heat_fraction*t*(flows%current + g*dv)/2*[1, -1], &
+      dsource = [wire%heat_fraction*t*(driven + g*dv)/2*[1, -1], &
          (wire%heat_fraction*by_temperature*dv*t + made*dt)/2*[1, 1]]
 
       r = [flows%current*[1, -1], along*drop*[1, -1] + across*excess - source]                             ! (1), (2)

@@ -149,6 +149,7 @@ contains
                if (wire%has_current) then
                   flow = domain%flow_in(e)
                   wire%current = flow%current
+                  wire%own = flow%own
                   wire%by_voltage = flow%by_voltage
                   wire%by_temperature = flow%by_temperature
                end if

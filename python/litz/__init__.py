@@ -4,6 +4,7 @@
     deck = litz.Deck.read("deck.inp")        read a deck, change it, write it
     results = litz.run("deck.inp")           run a deck, read its results
     table = litz.sweep(model, parameters)    run a grid of parameters
+    found = litz.bisect(model, "name", (low, high), reached)    find where the outcome of a run changes
     results = litz.Results("deck.vtkhdf")    read the results of an earlier run
     litz.plot(results)                       make a picture of them
     litz.report(results)                     write a page about the run
@@ -65,6 +66,7 @@ _LAZY_NAMES = {
     "Deck": "deck",
     "Results": "results",
     "animate": "pictures.animation",
+    "bisect": "sweeps",
     "check": "runs",
     "export": "results.exports",
     "keywords": "deck.keyword_table",
@@ -115,6 +117,7 @@ __all__ = [
     "Superconductor",
     "TableSpot",
     "animate",
+    "bisect",
     "build",
     "check",
     "closed_forms",

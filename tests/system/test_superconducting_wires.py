@@ -184,6 +184,31 @@ def test_heat_and_current_are_found_together(run):
     assert heat == pytest.approx(film * 2 * np.pi * RADIUS * LENGTH * (exact - sink), rel=1e-4)
 
 
+def test_a_normal_zone_recovers_where_a_film_takes_more_than_half_of_its_heat(run):
+    """As the front passes an element, its voltage falls by decades within an iteration: temperatures and currents converge."""
+    current, begins, ends, cold, size = 400.0, 6.8, 7.2, 4.2, 0.25e-3
+    full = (current / AREA) ** 2 / (SIGMA * (1 - PART))
+    slope = current / (AREA * PART) / (ends - begins)
+    film = 0.7 * full / (7.0 - cold) * RADIUS / 2
+    n = round(LENGTH / size) + 1
+    initial = [cold + full / (2 * film / RADIUS)] * 10 + [cold] * (n - 10)
+    text = deck(
+        f"*SUPERCONDUCTOR, N=1000, RATIO={RATIO}\n {slope * ends}, 0, 0\n 0, {ends}, 0\n",
+        material="*CONDUCTIVITY\n 300\n*DENSITY\n 8900\n*SPECIFIC HEAT\n 1\n",
+        procedure="*COUPLED THERMAL-ELECTRICAL",
+        static="5e-6, 4e-4",
+        elements=n - 1,
+        cards=fed(current, node=n) + f"*FILM\n WIRE, F, {cold}, {film}",
+        model="*INITIAL CONDITIONS, TYPE=TEMPERATURE\n" + "".join(f" {i}, {t}\n" for i, t in enumerate(initial, 1)),
+    )
+    results = finished(run, text)
+    critical = results.field("critical_current", None)
+    assert (critical[1] == 0).sum() > 6
+    # 2.25 mm at 12 m/s, the velocity of the front (verification, normal_zones.cooled): 0.19 ms
+    assert np.all(critical[-1] > current)
+    assert results.convergence["iteration"].max() < 12
+
+
 def test_a_run_goes_on_from_everywhere(litz, tmp_path):
     assert_goes_on_from_everywhere(
         litz, tmp_path, deck(cards=fed(420.0) + KEEP_ALL, static="0.25, 1, 1e-3, 0.25", outputs="")
