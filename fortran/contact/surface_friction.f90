@@ -184,7 +184,7 @@ contains
       real(dp) :: dstiffness_dforce
 
       call stick_stiffness_at(stick%law, stick%value, stick%mu, cell%force, &
-         overlap_of_force_t(stiffness=sum(cell%points%weight*cell%points%normal%stiffness)), &
+         overlap_of_force_t(stiffness=sum(cell%points%weight*cell%points%elastic_stiffness)), &
          wire_pair_t(young=[stick%young, rigid*stick%young], poisson=[stick%poisson, 0.0_dp]), stiffness, &
          dstiffness_dforce)
    end function stick_stiffness_of

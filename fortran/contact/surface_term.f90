@@ -13,14 +13,16 @@ module litz_surface_term
    use litz_fields, only: motion_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
-   use litz_friction_law, only: friction_law_t, friction_start_t
+   use litz_friction_law, only: friction_law_t
    use litz_line_law, only: line_wires_t
+   use litz_rigid_line, only: relative_curvature_t
    use litz_rigid_surface, only: radial_motion
    use litz_state, only: energies_t
-   use litz_surface_cells, only: surface_cell_t, surface_memory_t, wire_axis_t, survey_cell, law_of_cell, &
-      laws_of_ends, bends_at_ends, press_cell, cell_forces, predicted_force, contact_of_cell, centre_of_force, &
-      advanced_memory
+   use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
+      laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force
+   use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
    use litz_surface_friction, only: stick_stiffness_of
+   use litz_surface_memory, only: recall_memory, keep_memory
    use litz_surface_poses, only: present_surface, surface_at_start, element_axis, surface_node
    use litz_surface_rubbing, only: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
    use litz_term, only: term_t, status_t
@@ -28,7 +30,7 @@ module litz_surface_term
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: surface_term_t, new_surface_term, n_remembered
+   public :: surface_term_t, new_surface_term
 
    !> Gap over the radius within which a wire has the law of its place
    real(dp), parameter :: reach = 1
@@ -37,9 +39,6 @@ module litz_surface_term
    integer, parameter :: most_updates = 4
    !> Relative change of the stiffness of a stick that is worth it
    real(dp), parameter :: stick_tolerance = 0.01_dp
-
-   !> Numbers of the memory of a cell in the state
-   integer, parameter :: n_remembered = 10
 
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
@@ -146,6 +145,7 @@ contains
 
       if (size(self%cells) == 0) return
       call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, domain%wires)
+      call recall_memory(domain, self%cells)
       call survey(self, domain)
       call update_laws(self, domain, 0.0_dp, has_changed)
       self%updates = 0
@@ -154,19 +154,14 @@ contains
       self%cells%predicted = -1
    end subroutine start
 
-   !> Take the memory of the last converged state; friction acts where the force was then.
+   !> Friction acts where the force was in the last converged state.
    subroutine remember(self, domain)
       class(surface_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
       integer :: i
 
-      if (.not. allocated(domain%state%surface_memory)) then
-         allocate (domain%state%surface_memory(n_remembered, size(self%cells)), source=0.0_dp)
-      end if
       do i = 1, size(self%cells)
-         associate (cell => self%cells(i), m => domain%state%surface_memory(:, i))
-            cell%memory = surface_memory_t(m(1) > 0, friction_start_t(m(2:3), m(4), m(5), m(6)), m(7), m(8), m(9), &
-               m(10))
+         associate (cell => self%cells(i))
             cell%has_place = cell%memory%closed .and. cell%force > 0
             cell%part = 1
             cell%iteration = friction_iteration_t()
@@ -198,18 +193,26 @@ contains
       type(domain_t), intent(in) :: domain
       integer :: i
 
+      !$omp parallel do schedule(dynamic)
       do i = 1, size(self%cells)
-         associate (cell => self%cells(i))
-            associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
-               call press_cell(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), &
-                  law%line_penalty(), cell)
-            end associate
-            cell%friction = friction_law_t()
-            cell%traction = 0
-            if (.not. cell%force > 0) call forget_friction(cell%iteration)
-         end associate
+         call press_one(domain, self%cells(i))
       end do
+      !$omp end parallel do
    end subroutine press
+
+   !> Forces of a cell.
+   subroutine press_one(domain, cell)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(inout) :: cell
+
+      associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
+         call press_cell(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), &
+            law%line_penalty(), cell)
+      end associate
+      cell%friction = friction_law_t()
+      cell%traction = 0
+      if (.not. cell%force > 0) call forget_friction(cell%iteration)
+   end subroutine press_one
 
    !> Find the overlaps of the present iterate.
    subroutine survey(self, domain)
@@ -235,6 +238,7 @@ contains
       !> Something was updated
       logical, intent(out) :: has_changed
       type(line_wires_t) :: law
+      type(relative_curvature_t) :: curvature
       type(wire_axis_t) :: axis
       integer :: i
 
@@ -242,15 +246,16 @@ contains
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), model => domain%model)
             axis = element_axis(domain, cell%element, cell%pair)
-            associate (there => material_at(model, domain%elements, cell%element, cell%overlap%nearest))
-               law = law_of_cell(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
-                  cell%overlap%nearest)
+            curvature = curvature_of_cell(present_surface(domain, cell%pair), axis, cell%overlap%nearest)
+            associate (there => material_at(model, domain%elements, cell%element, cell%overlap%nearest), &
+               normal => model%interactions(model%surface_pairs(cell%pair)%interaction)%normal)
+               law = law_of_cell(axis, there%young, there%poisson, curvature)
+               if (any(cell%has_end)) call update_ends(axis, cell)
+               call update_stick(cell)
+               if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law)) .and. &
+                  abs(law%modulus - cell%law%modulus) <= tolerance*law%modulus) cycle
+               call take_law(normal, law, there%young, there%poisson, curvature, cell)
             end associate
-            if (any(cell%has_end)) call update_ends(axis, cell)
-            call update_stick(cell)
-            if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law)) .and. &
-               abs(law%modulus - cell%law%modulus) <= tolerance*law%modulus) cycle
-            cell%law = law
             has_changed = .true.
          end associate
       end do
@@ -269,6 +274,8 @@ contains
                material_at(domain%model, domain%elements, cell%element, 1.0_dp)]
             laws = laws_of_ends(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
                interaction%normal%line_penalty(), cell%has_end)
+            if (interaction%normal%yields()) call take_ends_that_yield(interaction%normal, &
+               present_surface(domain, cell%pair), axis, there%young, there%poisson, cell)
          end associate
          bend = bends_at_ends(present_surface(domain, cell%pair), axis)
          if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
@@ -406,22 +413,27 @@ contains
       type(domain_t), intent(in) :: domain
       type(energies_t), intent(inout) :: energies
       logical :: is_elastic(size(self%cells))
+      real(dp) :: held(2, size(self%cells))
       integer :: i
 
+      do i = 1, size(self%cells)
+         held(:, i) = energies_of_cell(self%cells(i))
+      end do
       associate (cells => self%cells, model => domain%model)
          is_elastic = [(.not. model%interactions(model%surface_pairs(cells(i)%pair)%interaction)%normal%line_penalty() &
             > 0, i=1, size(cells))]
-         energies%contact = energies%contact + sum(cells%energy) + sum(cells%memory%start%elastic_energy &
+         energies%contact = energies%contact + sum(held(1, :)) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
          energies%work = energies%work + sum(cells%friction%work_beyond_mean) + work_of_radii(self, domain)
          energies%friction = energies%friction + sum(cells%friction_work)
+         energies%yielding = energies%yielding + sum(held(2, :))
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
             domain%state%mechanical_temperature, domain%mechanical_temperature(), cells%element, &
             (cells%force + merge(cells%memory%start%force, 0.0_dp, cells%memory%closed))/2)
          energies%thermal = energies%thermal + softening_on_surfaces(domain%model, domain%elements, &
             domain%state%mechanical_temperature, pack(cells%element, is_elastic), &
             pack(cells%overlap%nearest, is_elastic), pack(cells%memory%energy, is_elastic), &
-            pack(cells%energy, is_elastic))
+            pack(held(1, :), is_elastic))
       end associate
    end subroutine add_energies
 
@@ -448,13 +460,7 @@ contains
       integer :: i
 
       if (size(self%cells) == 0) return
-      do i = 1, size(self%cells)
-         self%cells(i)%memory = advanced_memory(self%cells(i))
-         associate (m => self%cells(i)%memory)
-            domain%state%surface_memory(:, i) = [merge(1.0_dp, 0.0_dp, m%closed), m%start%traction, m%start%force, &
-               m%start%stiffness, m%start%elastic_energy, m%slip_path, m%dissipation, m%energy, m%last_dissipation]
-         end associate
-      end do
+      call keep_memory(domain, self%cells)
       closed = pack([(i, i=1, size(self%cells))], self%cells%force > 0)
       domain%state%surface_contacts = [(contact_of_cell(present_surface(domain, self%cells(closed(i))%pair), &
          element_axis(domain, self%cells(closed(i))%element, self%cells(closed(i))%pair), self%cells(closed(i))), &

@@ -322,8 +322,8 @@ contains
          'UNLIMITED: deep penetration is not an error, for deliberately soft penalties (litz extension)', &
          default='LIMITED'))
       call k%add(number('YIELD', 'yield stress Y of the softer metal [Pa]: wires that follow HERTZ yield where they'// &
-         ' cross, at ends and kinks and along lines, and keep the dent of the largest force; not on rigid'// &
-         ' surfaces (litz extension)', limit_positive))
+         ' cross, at ends and kinks, along lines and on rigid surfaces, and keep the dent of the largest force'// &
+         ' (litz extension)', limit_positive))
       call k%add(number('HARDNESS', 'hardness H, the mean pressure of the spot of crossed wires that has wholly'// &
          ' yielded [Pa]; without it 2.8 Y (litz extension)', limit_positive))
       call add_law_data(k, 'PRESSURE-OVERCLOSURE', all_normal_laws())

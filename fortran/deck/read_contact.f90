@@ -4,6 +4,7 @@ module litz_read_contact
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_axis_choices, only: axis_linear
+   use litz_check_yielding, only: check_elasticity
    use litz_heat_law, only: heat_law, heat_metal_law
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, contact_pair_t
@@ -414,7 +415,7 @@ contains
          associate (members => model%element_sets(sets(k))%members)
             do i = 1, size(members)
                if (model%element_section(members(i)) == 0) cycle
-               call check_elasticity(self, model, pair, members(i), self%values%token(k), ok)
+               call check_elasticity(self, model, pair%interaction, members(i), self%values%token(k), ok)
                if (.not. ok) exit
                associate (section => model%sections(model%element_section(members(i))))
                   if (section%contact_radius > 0 .or. .not. section%area > 0) cycle
@@ -426,28 +427,5 @@ contains
          end associate
       end do
    end subroutine check_pair
-
-   !> The law of wires that yield knows the dent of a force at one elasticity: a dent keeps its shape as metal softens.
-   subroutine check_elasticity(self, model, pair, element, token, ok)
-      type(reader_t), intent(inout) :: self
-      type(model_t), intent(in) :: model
-      type(contact_pair_t), intent(in) :: pair
-      !> Its number in the model
-      integer, intent(in) :: element
-      !> The set that it is in
-      type(token_t), intent(in) :: token
-      !> The element may touch others here
-      logical, intent(out) :: ok
-
-      ok = .true.
-      if (pair%interaction == 0 .or. model%sections(model%element_section(element))%material == 0) return
-      associate (law => model%interactions(pair%interaction), &
-         material => model%materials(model%sections(model%element_section(element))%material))
-         ok = .not. (law%normal%yields() .and. allocated(material%elastic_table))
-         if (.not. ok) call fail_at(self, token, 'element '//to_text(model%element_id(element))//' can touch others'// &
-            ' here, and its material '//material%name//' has an elasticity over temperature, which YIELD of surface'// &
-            ' interaction '//law%name//' does not follow: give *ELASTIC one line, or leave YIELD out')
-      end associate
-   end subroutine check_elasticity
 
 end module litz_read_contact

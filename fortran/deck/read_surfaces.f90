@@ -2,6 +2,7 @@
 module litz_read_surfaces
    use litz_kinds, only: dp
    use litz_text, only: to_text
+   use litz_check_yielding, only: check_elasticity
    use litz_deck, only: token_t
    use litz_data_lines, only: read_line
    use litz_definitions, only: add_definition, find_definition
@@ -133,12 +134,13 @@ contains
       model%surface_pairs = [model%surface_pairs, pair]
    end subroutine read_surface_pair
 
-   !> Each wire has a radius, fits into a bore, and is in one pair with a surface only.
+   !> Each wire has a radius, fits into a bore, is in one pair with a surface only, and yields at one elasticity.
    subroutine check_members(self, model, pair)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(surface_pair_t), intent(in) :: pair
       integer :: i
+      logical :: ok
 
       do i = 1, size(model%surface_pairs)
          associate (other => model%surface_pairs(i))
@@ -150,6 +152,8 @@ contains
       associate (members => model%element_sets(pair%set)%members, surface => model%surfaces(pair%surface))
          do i = 1, size(members)
             if (model%element_section(members(i)) == 0) cycle
+            call check_elasticity(self, model, pair%interaction, members(i), self%values%token(1), ok)
+            if (.not. ok) return
             associate (section => model%sections(model%element_section(members(i))), &
                element => 'element '//to_text(model%element_id(members(i))))
                if (.not. section%contact_radius > 0 .and. section%area > 0) then
@@ -174,15 +178,11 @@ contains
 
       if (pair%interaction == 0) return
       associate (this => model%interactions(pair%interaction))
-         if (this%normal%serves_lines() .and. .not. this%normal%yields()) return
+         if (this%normal%serves_lines()) return
          if (this%normal%line_penalty_number > 0) then
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line: the law '// &
                trim(this%normal%name)//' of '//this%name//' needs its second number, the force per length and'// &
                ' penetration')
-         else if (this%normal%yields()) then
-            call fail_at(self, self%values%token(2), 'on a rigid surface wires do not yield; '//this%name// &
-               ' has YIELD of *SURFACE BEHAVIOR: a surface interaction without it, or with LINEAR and its second'// &
-               ' number, is possible')
          else
             call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line; the law '// &
                this%normal%called()//' of '//this%name//' is one of crossings')

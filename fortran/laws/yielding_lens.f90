@@ -197,8 +197,8 @@ contains
             if (strip%loads .or. .not. before(i)%yielded) dent = line_dent(lens%strip, strip%force)
             energy = energy + weight*returned_by_line(lens%strip, dent, merge(strip%opening, 1.0_dp, &
                before(i)%yielded .and. .not. strip%loads))
-            if (strip%loads) state%dissipated = state%dissipated + weight*(dissipated_by_line(lens%strip, dent) &
-               - dissipated_by_line(lens%strip, before(i)))
+            if (strip%loads) state%dissipated = state%dissipated + weight*dissipated_by_line(lens%strip, before(i), &
+               dent)
             stiffness = stiffness + weight*strip%elastic_stiffness
          end associate
       end do

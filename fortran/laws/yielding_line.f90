@@ -8,13 +8,13 @@ module litz_yielding_line
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_kinds, only: dp, pi
    use litz_law_input, only: wire_pair_t
-   use litz_line_law, only: line_wires_t, line_overlap_t, line_overlap, line_spot_t
-   use litz_yielding_profile, only: profile_t, profile_of_force
+   use litz_line_law, only: line_wires_t, line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t
+   use litz_yielding_profile, only: profile_t, profile_at, profile_of_force
    use litz_yielding_spot, only: onset_factor, yielding_t, yielding_crossing, yielding_ok
    implicit none
    private
-   public :: yielding_line_t, yielding_line, line_dent_t, line_dent, line_state_t, line_state_at_force, &
-      line_state_at_overlap, yielded_strip, returned_by_line, dissipated_by_line, pressure_of_strip
+   public :: yielding_line_t, yielding_line, yielding_strip, add_crossing, line_dent_t, line_dent, line_state_t, &
+      line_state_at_force, line_state_at_overlap, yielded_strip, returned_by_line, dissipated_by_line, pressure_of_strip
 
    !> Newton stops at this relative change of the force; the error left is of the order of its square
    real(dp), parameter :: step_tolerance = 1.0e-9_dp
@@ -99,36 +99,53 @@ contains
       real(dp), intent(in) :: yield_stress(2), hardness
       !> That of the line [rad]
       real(dp), intent(in) :: angle
-      real(dp) :: section
+      type(hertz_ellipse_t) :: ellipse
+      integer :: info
+
+      law = yielding_strip(line, wires%poisson, yield_stress)
+      if (.not. has_lens(law)) return
+      call hertz_ellipse(wires%radius, wires%young, wires%poisson, angle, ellipse, info)
+      if (info == hertz_ok) call add_crossing(ellipse, wires%poisson, yield_stress, hardness, &
+         sin(angle)**2/sum(wires%radius), law)
+   end function yielding_line
+
+   !> The same of wires side by side, without a lens.
+   pure type(yielding_line_t) function yielding_strip(line, poisson, yield_stress) result(law)
+      type(line_wires_t), intent(in) :: line
+      !> (2) [-], and (2) [Pa]
+      real(dp), intent(in) :: poisson(2), yield_stress(2)
 
       law%line = line
-      law%yield_pressure = minval(onset_factor(wires%poisson, 0.0_dp)*yield_stress)
+      law%yield_pressure = minval(onset_factor(poisson, 0.0_dp)*yield_stress)
       law%half_width = pi*line%square_per_force*law%yield_pressure/2                       ! b_Y = 2 R p_Y/E*
       law%force = pi*law%half_width*law%yield_pressure/2
       law%onset = law%force
       law%first_pressure = pi*law%yield_pressure/4
       law%last_pressure = 2*law%first_pressure
-      section = line%section*law%half_width**2
-      if (.not. line%lens > small_lens*section) return
-      call add_crossing(wires, yield_stress, hardness, angle, line%lens/(line%lens + section), law)
-   end function yielding_line
+   end function yielding_strip
 
-   !> The law of the crossing per length of its lens.
-   pure subroutine add_crossing(wires, yield_stress, hardness, angle, share, law)
-      type(wire_pair_t), intent(in) :: wires
-      !> (2) [Pa], and H [Pa]
-      real(dp), intent(in) :: yield_stress(2), hardness
-      !> [rad], and how far the lens is the far field [-]
-      real(dp), intent(in) :: angle, share
+   !> The lens of a crossing is some of the far field.
+   pure logical function has_lens(law)
+      type(yielding_line_t), intent(in) :: law
+
+      has_lens = law%line%lens > small_lens*law%line%section*law%half_width**2
+   end function has_lens
+
+   !> The law of the crossing per length of its lens, where that is some of the far field.
+   pure subroutine add_crossing(ellipse, poisson, yield_stress, hardness, opening, law)
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> (2) [-], (2) [Pa], and H [Pa]
+      real(dp), intent(in) :: poisson(2), yield_stress(2), hardness
+      !> Second derivative of the gap along the lens [1/m]
+      real(dp), intent(in) :: opening
       type(yielding_line_t), intent(inout) :: law
-      type(hertz_ellipse_t) :: ellipse
-      real(dp) :: half_width, spot_width
+      real(dp) :: half_width, spot_width, share
       integer :: info
 
-      call hertz_ellipse(wires%radius, wires%young, wires%poisson, angle, ellipse, info)
-      if (info /= hertz_ok) return
-      call yielding_crossing(ellipse, wires%poisson, yield_stress, hardness, law%spot, info)
+      if (.not. has_lens(law)) return
+      call yielding_crossing(ellipse, poisson, yield_stress, hardness, law%spot, info)
       if (info /= yielding_ok) return
+      share = law%line%lens/(law%line%lens + law%line%section*law%half_width**2)
       law%of_lens = share
       law%of_section = 1 - share
       law%lens_logarithm = -log(law%line%lens)/2
@@ -136,8 +153,8 @@ contains
       law%onset = law%lens_force
       if (law%line%section > 0) law%onset = min(law%lens_force, law%force)
       half_width = sqrt(law%line%square_per_force*law%lens_force)
-      ! pi a b over pi b_H aW, with aW = sqrt(2 d delta)/s
-      spot_width = law%spot%area*sin(angle)/(pi*half_width*sqrt(2*sum(wires%radius)*law%spot%overlap))
+      ! pi a b over pi b_H aW, with aW = sqrt(2 delta/g'')
+      spot_width = law%spot%area/(pi*half_width*sqrt(2*law%spot%overlap/opening))
       law%spot_width = spot_width**share
       law%first_pressure = share*law%lens_force/(2*half_width) + (1 - share)*law%first_pressure
       law%last_pressure = share*law%spot%hardness*spot_width + (1 - share)*law%last_pressure
@@ -212,15 +229,9 @@ contains
       state%overlap = overlap
       if (.not. overlap > dent%depth) return
       low = 0
+      high = huge(high)
       step = 0
-      high = max(dent%force, law%onset)
-      do iteration = 1, max_iterations
-         state = line_state_at_force(law, dent, high)
-         if (state%overlap >= overlap) exit
-         low = high
-         high = 2*high
-      end do
-      force = (low + high)/2
+      force = force_near(law, dent, overlap)
       do iteration = 1, max_iterations
          state = line_state_at_force(law, dent, force)
          if (state%overlap < overlap) low = force
@@ -236,6 +247,26 @@ contains
       state = line_state_at_force(law, dent, force + step)
       state%overlap = overlap
    end function line_state_at_overlap
+
+   !> A force per length that is about that at an overlap, positive [N/m].
+   pure real(dp) function force_near(law, dent, overlap) result(force)
+      type(yielding_line_t), intent(in) :: law
+      type(line_dent_t), intent(in) :: dent
+      !> delta [m], beyond the dent
+      real(dp), intent(in) :: overlap
+      type(line_force_t) :: elastic
+      type(profile_t) :: profile
+
+      if (dent%yielded .and. overlap < dent%overlap) then
+         force = dent%force*(overlap - dent%depth)/(dent%overlap - dent%depth)
+         return
+      end if
+      elastic = line_force(law%line, overlap, 0.0_dp)
+      force = elastic%force
+      if (.not. (law%of_lens > law%of_section .and. force > law%lens_force)) return
+      profile = profile_at(law%spot, overlap/law%spot%overlap)
+      force = law%lens_force*profile%force
+   end function force_near
 
    !> What the strip conducts per length, `1/g' = ((rho + rhob)/pi) Lam_e + sigma_f/(2 b)`, with A of the lens as it is.
    pure type(line_spot_t) function yielded_strip(law, state, film) result(spot)
@@ -281,17 +312,21 @@ contains
       end do
    end function returned_by_line
 
-   !> What loading up to a dent has dissipated per length: its work less what comes back [J/m].
-   pure real(dp) function dissipated_by_line(law, dent) result(lost)
+   !> What loading from a dent to another one dissipates per length: its work less what comes back of it [J/m].
+   pure real(dp) function dissipated_by_line(law, before, after) result(lost)
       type(yielding_line_t), intent(in) :: law
-      type(line_dent_t), intent(in) :: dent
+      type(line_dent_t), intent(in) :: before, after
+      type(line_dent_t) :: start
+      real(dp) :: middle
 
       lost = 0
-      if (.not. dent%yielded) return
-      lost = returned_by_line(law, line_dent(law, law%onset), 1.0_dp) - returned_by_line(law, dent, 1.0_dp) &
-         + work_between(law, law%onset, min(dent%force, max(law%force, law%lens_force)))
-      if (dent%force > max(law%force, law%lens_force)) lost = lost &
-         + work_between(law, max(law%force, law%lens_force), dent%force)
+      if (.not. after%yielded .or. before%force >= after%force) return
+      start = before
+      if (.not. before%yielded) start = line_dent(law, law%onset)
+      middle = min(max(start%force, law%force, law%lens_force), after%force)
+      lost = returned_by_line(law, start, 1.0_dp) - returned_by_line(law, after, 1.0_dp)
+      if (middle > start%force) lost = lost + work_between(law, start%force, middle)
+      if (after%force > middle) lost = lost + work_between(law, middle, after%force)
    end function dissipated_by_line
 
    !> Work of loading from a force per length to another [J/m].

@@ -8,7 +8,8 @@ module litz_yielding_place
       returned_by_line, dissipated_by_line, pressure_of_strip
    implicit none
    private
-   public :: yielding_place_t, place_state_t, state_of_place, place_force, overlap_of_place, pressure_of_place
+   public :: yielding_place_t, place_state_t, state_of_place, force_of_place, place_force, overlap_of_place, &
+      pressure_of_place
 
    !> The overlap at a force is known to this part of it
    real(dp), parameter :: tolerance = 1.0e-11_dp
@@ -25,6 +26,8 @@ module litz_yielding_place
 
    !> All 0 where there is no force.
    type :: place_state_t
+      !> The metal has not yielded
+      logical :: is_elastic = .false.
       !> f [N/m], df/ddelta [N/m^2], and that of the metal around the spot, which stays elastic
       real(dp) :: force = 0, stiffness = 0, elastic_stiffness = 0
       !> What comes back, and what has been dissipated since the dents were made [J/m]
@@ -40,32 +43,41 @@ contains
       type(yielding_place_t), intent(in) :: place
       !> delta [m]
       real(dp), intent(in) :: overlap
-      type(line_force_t) :: elastic
       type(line_dent_t) :: made
+
+      state = force_of_place(place, overlap)
+      if (state%is_elastic .or. .not. state%force > 0) return
+      associate (strip => state%strip)
+         made = place%dent
+         if (strip%loads) made = line_dent(place%strip, strip%force)
+         state%energy = returned_by_line(place%strip, made, strip%opening)
+         if (strip%loads) state%dissipated = dissipated_by_line(place%strip, place%dent, made)
+      end associate
+   end function state_of_place
+
+   !> The law at an overlap without the energies of metal that yields, which take longer.
+   pure type(place_state_t) function force_of_place(place, overlap) result(state)
+      type(yielding_place_t), intent(in) :: place
+      !> delta [m]
+      real(dp), intent(in) :: overlap
+      type(line_force_t) :: elastic
 
       if (.not. overlap > 0) return
       state%strip = line_state_at_overlap(place%strip, place%dent, overlap)
-      associate (strip => state%strip)
-         elastic = line_force(place%strip%line, overlap, 0.0_dp)
-         if (.not. place%dent%yielded .and. elastic%force <= place%strip%onset) then
-            ! what has not yielded has the force of elastic wires, to the last digit
-            state%force = elastic%force
-            state%stiffness = elastic%stiffness
-            state%elastic_stiffness = elastic%stiffness
-            state%energy = elastic%energy
-            return
-         end if
-         if (.not. strip%force > 0) return
-         made = place%dent
-         if (strip%loads) made = line_dent(place%strip, strip%force)
-         state%force = strip%force
-         state%stiffness = strip%stiffness
-         state%elastic_stiffness = strip%elastic_stiffness
-         state%energy = returned_by_line(place%strip, made, strip%opening)
-         if (strip%loads) state%dissipated = dissipated_by_line(place%strip, made) &
-            - dissipated_by_line(place%strip, place%dent)
-      end associate
-   end function state_of_place
+      elastic = line_force(place%strip%line, overlap, 0.0_dp)
+      state%is_elastic = .not. place%dent%yielded .and. elastic%force <= place%strip%onset
+      if (state%is_elastic) then
+         ! what has not yielded has the force of elastic wires, to the last digit
+         state%force = elastic%force
+         state%stiffness = elastic%stiffness
+         state%elastic_stiffness = elastic%stiffness
+         state%energy = elastic%energy
+      else if (state%strip%force > 0) then
+         state%force = state%strip%force
+         state%stiffness = state%strip%stiffness
+         state%elastic_stiffness = state%strip%elastic_stiffness
+      end if
+   end function force_of_place
 
    !> The same as the law of elastic wires has it.
    pure type(line_force_t) function place_force(place, line, overlap, penalty) result(law)

@@ -10,7 +10,7 @@ module litz_yielding_profile
    use litz_yielding_spot, only: yielding_t
    implicit none
    private
-   public :: profile_t, profile_of_force
+   public :: profile_t, profile_at, profile_of_force
 
    !> Newton stops at this relative change; the error left is of the order of its square
    real(dp), parameter :: step_tolerance = 1.0e-9_dp
@@ -47,7 +47,7 @@ module litz_yielding_profile
 contains
 
    !> The place that has this force per length. As the force is concave over the overlap, Newton's method comes to it
-   !> from below.
+   !> from below, from its second place on.
    pure type(profile_t) function profile_of_force(law, force) result(profile)
       type(yielding_t), intent(in) :: law
       !> Over that of an elastic lens at the onset, positive
@@ -55,7 +55,8 @@ contains
       real(dp) :: zeta, step
       integer :: i
 
-      zeta = force
+      ! f goes with zeta up to the onset, and about with zeta^(5/6) beyond
+      zeta = max(force, force**1.2_dp)
       do i = 1, max_iterations
          profile = profile_at(law, zeta)
          step = (force - profile%force)/profile%dforce
@@ -126,14 +127,15 @@ contains
       type(yielding_t), intent(in) :: law
       !> delta/delta_Y, at least 1
       real(dp), intent(in) :: omega
-      real(dp) :: force, middle, power, area, n
+      real(dp) :: force, middle, root, power, area, n
 
       associate (h => law%steepness, s => law%exponent)
          n = 1 - s
          middle = min(omega, h**3)
-         slopes%force = 1.5_dp*middle**(1.0_dp/3)
+         root = middle**(1.0_dp/3)
+         slopes%force = 1.5_dp*root
          if (omega <= h**3) slopes%dforce = slopes%force/(3*omega)
-         force = 1 + 1.125_dp*(middle**(4.0_dp/3) - 1)
+         force = 1 + 1.125_dp*(middle*root - 1)
          power = force**(-s)
          area = 1 + 2*(power*force - 1)/(3*n)
          slopes%area = 2*power*slopes%force/3
@@ -144,7 +146,7 @@ contains
          end if
       end associate
       slopes%root = slopes%area/(2*sqrt(area))
-      slopes%droot = slopes%darea/(2*sqrt(area)) - slopes%area**2/(4*area**1.5_dp)
+      slopes%droot = slopes%darea/(2*sqrt(area)) - slopes%area**2/(4*area*sqrt(area))
    end function slopes_at
 
 end module litz_yielding_profile

@@ -67,6 +67,9 @@ module litz_state
       real(dp) :: length = 0, gap = 0
       !> Contact force, the sum of its magnitudes along the element [N]
       real(dp) :: force = 0
+      !> Of wires that yield: largest force so far [N], overlap that remains where the dent is deepest [m], and what
+      !> yielding has dissipated [J]
+      real(dp) :: largest_force = 0, dent = 0, yield_dissipation = 0
       !> Unit normal from the surface to the wire there, and the point of the axis at the centre of the force [m]
       real(dp) :: normal(3) = 0, point(3) = 0
       !> What the wire feels of friction (3) [N]; `friction_...` of litz_friction_law
@@ -158,6 +161,8 @@ module litz_state
       type(surface_contact_t), allocatable :: surface_contacts(:)
       !> What elements on rigid surfaces remember of friction: numbers that litz_surface_term knows (numbers, cells)
       real(dp), allocatable :: surface_memory(:, :)
+      !> What they remember of their dents, where some yield: numbers that litz_surface_dents knows (numbers, cells)
+      real(dp), allocatable :: surface_dents(:, :)
    end type state_t
 
 end module litz_state

@@ -13,7 +13,8 @@ module litz_restart_content
    use litz_run_warnings, only: run_warnings_t
    use litz_contact_history, only: left_dents_t, dent_memory_t
    use litz_state, only: state_t, contact_t, energies_t
-   use litz_surface_term, only: n_remembered
+   use litz_surface_dents, only: n_of_dents
+   use litz_surface_memory, only: n_remembered
    use litz_step_control, only: course_t
    implicit none
    private
@@ -281,6 +282,7 @@ contains
       rows = surface_contact_table(state%surface_contacts)
       call exchange_table(arrays, 'surface_contacts', rows, error)
       call arrays%array('surface_memory', state%surface_memory, error, n_remembered)
+      call arrays%array('surface_dents', state%surface_dents, error, n_of_dents)
       if (allocated(error) .or. arrays%mode /= reading) return
       call surface_contacts_of_table(rows, state%surface_contacts)
    end subroutine exchange_surfaces

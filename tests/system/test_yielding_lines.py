@@ -207,13 +207,6 @@ def test_spots_that_do_not_follow_strips_end_the_run_in_words(run, spot, words):
     assert words in process.stderr
 
 
-def test_rigid_surfaces_are_for_wires_that_do_not_yield(run):
-    drum = "*NODE\n 901, 0, 0, -1e-2\n*RIGID SURFACE, NAME=DRUM, TYPE=CYLINDER, REF NODE=901\n 0, 0, -1e-2, 0, 1, 0, 9e-3\n"
-    process, _ = run(wires(f"{drum}*CONTACT PAIR, INTERACTION=TOUCH\n LOWER, DRUM\n", to(1e-6)))
-    assert process.returncode == 1
-    assert "on a rigid surface wires do not yield" in process.stderr
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(("bend", "angle"), [(10, 8), (15, 20), (15, 30)])
 def test_a_wire_that_is_dragged_over_a_bend_keeps_its_contact(run, bend, angle):
