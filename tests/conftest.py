@@ -3,6 +3,7 @@
 import contextlib
 import fcntl
 import functools
+import importlib
 import importlib.resources
 import importlib.util
 import os
@@ -12,6 +13,21 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
+
+def load_numpy_with_one_thread():
+    """The tests are divided among as many processes as there are processors; threads of BLAS would wait for each other."""
+    chosen = os.environ.get("OPENBLAS_NUM_THREADS")
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    importlib.import_module("numpy")
+    if chosen is None:
+        # the programs that tests start choose themselves
+        del os.environ["OPENBLAS_NUM_THREADS"]
+    else:
+        os.environ["OPENBLAS_NUM_THREADS"] = chosen
+
+
+load_numpy_with_one_thread()
 
 
 def find_program() -> Path:
@@ -32,8 +48,19 @@ def solvers_of_program() -> list[str]:
     return re.sub(r" *\([^)]*\)", "", names).split(", ")
 
 
+def settle_libraries():
+    """Have the libraries of the program chosen as it would, which starts once more for that: thousands of times else."""
+    if "OMP_WAIT_POLICY" in os.environ or importlib.util.find_spec("litz") is None:
+        return
+    version = subprocess.run([find_program(), "--version"], capture_output=True, text=True, check=False).stdout
+    os.environ["OMP_WAIT_POLICY"] = "passive"
+    if kernels := re.search(r"^BLAS: OpenBLAS .* DYNAMIC_ARCH .*?(\w+) MAX_THREADS", version, re.MULTILINE):
+        os.environ.setdefault("OPENBLAS_CORETYPE", kernels[1])
+
+
 def pytest_configure(config):
     """Slow tests run where tests are chosen: by `-m`, `-k`, or the names of files or folders."""
+    settle_libraries()
     chosen = config.option.keyword or config.option.markexpr
     if config.args_source is pytest.Config.ArgsSource.TESTPATHS and not chosen:
         config.option.markexpr = "not slow"

@@ -1,5 +1,6 @@
 """The floors of the Fortran sources: who may use whom."""
 
+import functools
 import re
 from graphlib import TopologicalSorter
 from pathlib import Path
@@ -33,12 +34,14 @@ def floor(path):
     return relative.parts[0] if len(relative.parts) > 1 else "main"
 
 
+@functools.cache
 def used_modules(path):
     """Modules of litz that a source file uses."""
     statement = re.compile(r"^\s*use\b(?:\s*,\s*\w+\s*)?(?:\s*::)?\s*(litz_\w+)", re.IGNORECASE | re.MULTILINE)
     return {name.lower() for name in statement.findall(path.read_text(encoding="utf-8"))}
 
 
+@functools.cache
 def defined_modules(path):
     """Modules that a source file defines."""
     statement = re.compile(
@@ -47,6 +50,7 @@ def defined_modules(path):
     return {name.lower() for name in statement.findall(path.read_text(encoding="utf-8"))}
 
 
+@functools.cache
 def home_of_modules():
     """The floor of each module; the version module is made from a template."""
     homes = {name: floor(path) for path in SOURCES for name in defined_modules(path)}

@@ -4,6 +4,8 @@ import re
 
 import pytest
 
+from in_parts import in_parts
+
 DECK = """\
 *HEADING
 Two wires that cross
@@ -1033,19 +1035,20 @@ def test_every_parameter_of_the_table_is_checked(litz, tmp_path):
         n_keywords += 1
         if name == "INCLUDE":
             continue
-        for parameter, message in wrong_parameters(parameters):
-            card = f"*{name}, {parameter}\n"
-            before = f"*{after}\n" if after else ""
-            deck = f"*STEP\n{card}" if place == "in a step" else before + card
-            (tmp_path / "bad.inp").write_text(deck)
+        before = "*STEP" if place == "in a step" else f"*{after}" if after else ""
+        for mistakes in in_parts(wrong_parameters(parameters)):
+            lines = [line for parameter, _ in mistakes for line in (before, f"*{name}, {parameter}") if line]
+            (tmp_path / "bad.inp").write_text("\n".join(lines) + "\n")
             result = litz("check", "bad.inp", cwd=tmp_path)
-            line = line_of(card.strip(), deck)
-            told = [error for error in errors_in(result) if message in error["message"]]
             assert result.returncode == 1
-            assert [int(error["line"]) for error in told] == [line], f"{card}{result.stderr}"
-            first, end = told[0]["caret"].index("^"), len(told[0]["caret"])
-            assert told[0]["card"][first:end] in parameter
-            n_mistakes += 1
+            errors = errors_in(result)
+            for parameter, message in mistakes:
+                line = lines.index(f"*{name}, {parameter}") + 1
+                told = [error for error in errors if message in error["message"] and int(error["line"]) == line]
+                assert len(told) == 1, f"{parameter}\n{result.stderr}"
+                first, end = told[0]["caret"].index("^"), len(told[0]["caret"])
+                assert told[0]["card"][first:end] in parameter
+                n_mistakes += 1
     # the pattern that reads the reference has found it all
     assert n_keywords >= 30
     assert n_mistakes >= 90

@@ -1,14 +1,13 @@
 """`litz convert` of whole decks of Abaqus and CalculiX: what litz has stays, the rest is told and becomes a comment."""
 
-import os
 import re
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 
+from in_process import command
 from litz import Results
+from test_cli import command as process
 
 #: As Abaqus/CAE writes a model of a part with two instances, the second one turned about z and shifted
 CAE = """\
@@ -66,17 +65,6 @@ Tip-2, 3, 2e-3
 *Output, field, variable=PRESELECT
 *End Step
 """
-
-
-def command(*arguments, cwd):
-    return subprocess.run(
-        [sys.executable, "-m", "litz", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        env=os.environ,
-        check=False,
-    )
 
 
 @pytest.fixture
@@ -523,9 +511,9 @@ class TestContactOfAbaqus:
         assert "CONTACT PAIR, INTERACTION=IntProp-1" not in text
         assert "litz has no *CONTACT INCLUSIONS" in done.stderr.split("WITHOUT WHICH")[1]
 
-    def test_what_is_wrong_in_a_part_is_told_once_and_pairs_of_its_surfaces_not_at_all(self, litz, tmp_path):
+    def test_what_is_wrong_in_a_part_is_told_once_and_pairs_of_its_surfaces_not_at_all(self, tmp_path):
         (tmp_path / "deck.inp").write_text(CROSSING.replace("{contact}", PAIR))
-        done = command("check", "deck.inp", cwd=tmp_path)
+        done = process("check", "deck.inp", cwd=tmp_path)
         assert done.stderr.count("litz has no *SURFACE") == 1
         assert "`litz convert THIS.inp NEW.inp`" in done.stderr
         # of no use to beams: a warning

@@ -138,13 +138,17 @@ def workplace(tmp_path, litz_program, contact_element):
     return tmp_path, environment
 
 
-#: They run what takes minutes
+#: They run or compile what takes ten seconds or minutes
 SLOW_PAGES = {
     ROOT / "docs" / name
     for name in (
         "from_python.md",
         "results.md",
-        *(f"tutorials/{page}.md" for page in ("current_sharing", "fibre_mat", "cable")),
+        "user_element.md",
+        *(
+            f"tutorials/{page}.md"
+            for page in ("current_sharing", "fibre_mat", "cable", "nanowire_film", "contact_zones")
+        ),
     )
 }
 

@@ -9,8 +9,8 @@ import pytest
 import pyvista as pv
 
 import litz
+from in_process import command
 from litz import Results
-from test_cli import command
 
 DECK = "05_clamped_pair"
 

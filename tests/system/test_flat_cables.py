@@ -53,6 +53,7 @@ def test_strands_of_the_layers_cross_at_twice_their_slope(pressed):
     assert (pressed.contacts_at(-1)["spacing"] == 0).sum() > 2 * STRANDS
 
 
+@pytest.mark.slow
 def test_the_plates_press_alike(pressed):
     forces = pressed.surface_forces
     lower, upper = forces["surface_force_y"][-2:]
@@ -64,6 +65,7 @@ def test_the_plates_press_alike(pressed):
     assert across.sum() == pytest.approx(upper, rel=0.02)
 
 
+@pytest.mark.slow
 def test_all_strands_share_alike_and_are_joined(pressed):
     shares = pressed.current_shares()
     np.testing.assert_allclose(shares.share, 1 / STRANDS, atol=0.02)
@@ -72,5 +74,6 @@ def test_all_strands_share_alike_and_are_joined(pressed):
     assert found.stages()["largest"][0] < 3 * found.stages()["smallest"][0]
 
 
+@pytest.mark.slow
 def test_its_section_is_drawn(pressed, tmp_path):
     assert plot(pressed, "section", tmp_path / "section.png", place=0.4).stat().st_size > 10_000

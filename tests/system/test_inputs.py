@@ -51,6 +51,8 @@ DECKS = [
 ]
 #: Its jacket carries forces, too; it runs for a minute
 PRESSED_CABLE = "24_compacted_cable"
+#: Those that run for ten seconds
+LONG = {"11_fibre_mat", "16_bent_strand", "18_rod_over_drum"}
 THIN_COPPER = {"radius": 0.1e-3, "young": 120e9, "poisson": 0.34, "resistivity": 1 / 58.8e6}
 
 #: Numbers with a point, as generators write them; names and counts stay text
@@ -95,7 +97,14 @@ def test_every_deck_has_a_header_that_says_what_and_whence(inputs):
             assert part in text, f"{deck.name}: {part}"
 
 
-@pytest.mark.parametrize("name", [name for name in DECKS if name != PRESSED_CABLE])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow) if name in LONG else name
+        for name in DECKS
+        if name != PRESSED_CABLE
+    ],
+)
 def test_every_run_balances_forces_currents_and_power(results_of, name):
     results = results_of(name)
     assert results.finished
@@ -373,6 +382,7 @@ def guided_beam(bending_stiffness, tension, length, deflection):
     return tension * deflection / (length - 2 / k * math.tanh(k * length / 2))
 
 
+@pytest.mark.slow
 def test_a_bent_strand_is_stiffer_than_its_wires_and_softer_than_a_rod(results_of, header):
     results = results_of("16_bent_strand")
     ((time, least, most),) = header("16_bent_strand")
@@ -439,6 +449,7 @@ def test_a_fuse_melts_as_if_its_middle_were_alone(results_of, header):
     assert math.pi * area / 0.02 * math.sqrt(conductivity / (resistivity * slope)) == pytest.approx(11.85, abs=0.005)
 
 
+@pytest.mark.slow
 def test_a_rod_is_drawn_over_a_drum_as_an_exact_elastica_with_friction(results_of, header):
     results = results_of("18_rod_over_drum")
     ((time, tension, moment),) = header("18_rod_over_drum")
@@ -543,6 +554,7 @@ def test_the_work_on_a_knot_is_stored_in_it(results_of):
     assert stored == pytest.approx(history["ALLWK"], abs=2e-3 * stored[-1])
 
 
+@pytest.mark.slow
 def test_mat_conducts_better_the_more_it_is_pressed(results_of):
     results = results_of("11_fibre_mat")
     resistance = results.history["resistance PLUS to MINUS"]
@@ -559,6 +571,7 @@ def test_mat_conducts_better_the_more_it_is_pressed(results_of):
         assert network.resistance[contact] == pytest.approx(holm.resistance, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_mat_is_the_network_of_its_contacts(results_of):
     results = results_of("11_fibre_mat")
     network, n_points, stretches, plates = points_of_mat(results)

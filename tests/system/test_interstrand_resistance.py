@@ -11,8 +11,8 @@ from verification.references.line_joints import LineJoint
 from verification.references.parallel_wires import ParallelWires, PressedWire
 
 import litz
+from in_process import command
 from litz import build
-from test_cli import command
 
 THICK, THIN = PressedWire(0.5e-3, 120e9, 0.34, 1.7e-8), PressedWire(0.3e-3, 120e9, 0.34, 1.5e-7)
 LENGTH, CONDUCTANCE = 20e-3, 1e5

@@ -2,9 +2,10 @@
 
 import json
 import os
-from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+
+from in_parts import in_parts
 
 #: A value that is taken, by its kind
 GOOD = {"integer": "1", "real": "0.1", "name": "A", "number or set": "1"}
@@ -110,28 +111,26 @@ def marked(stderr, line):
 
 
 def test_every_value_of_every_data_line_is_checked_at_its_place(litz, tmp_path):
-    all_forms = list(forms(litz))
-    cases = [
-        (lines_of(keyword, form, before, ", ".join(values)), word, message)
-        for keyword, form, before in all_forms
-        for values, word, message in mistakes(form["values"], form["repeats"])
-    ]
-
-    def check(number):
-        (lines, word, message), deck = cases[number], f"bad_{number}.inp"
-        (tmp_path / deck).write_text("\n".join(lines) + "\n")
-        result = litz("check", deck, cwd=tmp_path)
+    all_forms, missed, n_cases = list(forms(litz)), [], 0
+    for keyword, form, before, some in (
+        (*one, some) for one in all_forms for some in in_parts(mistakes(one[1]["values"], one[1]["repeats"]))
+    ):
+        lines, cases = [], []
+        for values, word, message in some:
+            lines += lines_of(keyword, form, before, ", ".join(values))
+            cases.append((len(lines), word, message))
+        (tmp_path / "bad.inp").write_text("\n".join(lines) + "\n")
+        result = litz("check", "bad.inp", cwd=tmp_path)
         assert result.returncode == 1
-        told = [(text, caret, column) for text, caret, column in marked(result.stderr, len(lines)) if message in text]
-        right = told and told[0][1] == word and lines[-1][told[0][2] - 1 :].startswith(word)
-        return "" if right else f"{lines}\nshould say: {message}\n{result.stderr}"
-
-    with ThreadPoolExecutor(2) as pool:
-        missed = list(filter(None, pool.map(check, range(len(cases)))))
+        for line, word, message in cases:
+            told = [one for one in marked(result.stderr, line) if message in one[0]]
+            if not told or told[0][1] != word or not lines[line - 1][told[0][2] - 1 :].startswith(word):
+                missed.append(f"{lines[:line]}\nshould say: {message}\n{result.stderr}")
+        n_cases += len(cases)
     assert not missed, f"{len(missed)} mistakes are missed, the first:\n" + "\n".join(missed[:3])
     # the walk has found the table
     assert len(all_forms) >= 30
-    assert len(cases) >= 250
+    assert n_cases >= 250
 
 
 def test_missing_data_lines_are_told_for_every_keyword_that_needs_them(litz, tmp_path):

@@ -76,7 +76,7 @@ def assert_same_answers(found, expected):
         )
 
 
-@pytest.mark.parametrize("name", ["04_wire_grid", "08_elastica"])
+@pytest.mark.parametrize("name", ["04_wire_grid", pytest.param("08_elastica", marks=pytest.mark.slow)])
 def test_one_two_and_four_processes_give_the_same_answers(mpi, inputs, tmp_path, name):
     results = {}
     for ranks in (1, 2, 4):

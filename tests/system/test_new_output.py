@@ -44,7 +44,7 @@ def test_the_patch_has_one_line_for_each_output():
     assert [line.split("(")[0].split() for line in changed] == [["+", "call", "add"], ["+", "call", "table%field"]]
 
 
-@pytest.mark.slow
+@pytest.mark.slow  # the first of these compiles all sources
 def test_a_new_contact_quantity_is_in_the_ledger_and_in_the_points(run_of_the_copy):
     copy, _ = run_of_the_copy
     contacts = Results(copy / "whole").contacts
@@ -58,6 +58,7 @@ def test_a_new_contact_quantity_is_in_the_ledger_and_in_the_points(run_of_the_co
         np.testing.assert_allclose(points[()], PENALTY)
 
 
+@pytest.mark.slow
 def test_a_new_nodal_quantity_is_a_field_and_a_word_of_decks(run_of_the_copy):
     copy, _ = run_of_the_copy
     results = Results(copy / "whole")
@@ -71,6 +72,7 @@ def test_a_new_nodal_quantity_is_a_field_and_a_word_of_decks(run_of_the_copy):
     assert history.units["STF3 node 13"] == "N"
 
 
+@pytest.mark.slow
 def test_a_run_that_goes_on_has_the_new_quantities_too(run_of_the_copy):
     copy, litz = run_of_the_copy
     place = copy / "whole" / "deck.restart.h5"

@@ -14,7 +14,11 @@ import pytest
 
 from documents import ROOT, copy_of_the_sources
 
-pytestmark = pytest.mark.skipif(shutil.which("git") is None, reason="the archive is made of what git has: needs git")
+pytestmark = [
+    pytest.mark.skipif(shutil.which("git") is None, reason="the archive is made of what git has: needs git"),
+    # the wheel is a whole compilation
+    pytest.mark.slow,
+]
 
 
 def call(*command, **options):
@@ -78,7 +82,6 @@ def plain():
     return {key: value for key, value in os.environ.items() if not key.startswith(("LITZ_", "PYTHON"))}
 
 
-@pytest.mark.slow
 def test_the_archive_has_what_git_has(sources, archive):
     tracked = set(call("git", "ls-files", cwd=sources).split("\n")) - {""}
     with tarfile.open(archive) as file:
@@ -87,7 +90,6 @@ def test_the_archive_has_what_git_has(sources, archive):
     assert packed - tracked == {"PKG-INFO"}
 
 
-@pytest.mark.slow
 def test_the_wheel_has_the_program_the_extension_and_every_file_of_the_package(wheel):
     with zipfile.ZipFile(wheel) as file:
         modes = {info.filename: info.external_attr >> 16 for info in file.infolist()}

@@ -73,7 +73,19 @@ def test_decks_that_magnify_round_off_agree_on_a_figure_with_all_solvers(litz, i
     )
 
 
-@pytest.mark.parametrize("deck", [path for path in INPUTS if path.stem not in SENSITIVE], ids=lambda path: path.stem)
+#: Those of many elements or increments
+LONG = {"12_woven_fabric", "19_fuse"}
+
+
+@pytest.mark.parametrize(
+    "deck",
+    [
+        pytest.param(path, marks=pytest.mark.slow) if path.stem in LONG else path
+        for path in INPUTS
+        if path.stem not in SENSITIVE
+    ],
+    ids=lambda path: path.stem,
+)
 def test_same_iterates(deck, litz, tmp_path, solvers):
     """The same iterations, and fields that differ by what round-off makes of a 16-digit solve.
 

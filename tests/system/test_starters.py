@@ -4,14 +4,18 @@ import numpy as np
 import pytest
 
 import litz
+from in_process import command
 from litz.build.starters import STARTERS
-from test_cli import command
 
 #: Those with wires that touch
 TOUCHING = [task for task in STARTERS if task != "fuse"]
+#: Those that run for seconds
+LONG = {"strand", "triplet", "cable"}
 
 
-@pytest.mark.parametrize("task", TOUCHING)
+@pytest.mark.parametrize(
+    "task", [pytest.param(task, marks=pytest.mark.slow) if task in LONG else task for task in TOUCHING]
+)
 def test_a_starter_runs_as_it_stands_and_conducts(task, tmp_path):
     done = command("new", task, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
@@ -41,6 +45,7 @@ def test_friction_of_the_starter_is_coulombs(tmp_path):
     assert history["ALLFD"][-1] > 0
 
 
+@pytest.mark.slow
 def test_resistances_between_all_strands_of_the_triplet_follow_from_one_run(tmp_path):
     results = litz.run(litz.new("triplet", tmp_path / "deck.inp"), output_directory=tmp_path)
     found = results.interstrand_resistance()

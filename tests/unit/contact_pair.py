@@ -1,10 +1,8 @@
 """Random pairs of elements in contact, and how they move."""
 
-import math
-
 import numpy as np
 
-from derivatives import rotation
+from derivatives import rotation, turned
 from litz import _core
 from litz.kernels import closest_points, contact_em
 
@@ -118,34 +116,14 @@ class Pair:
         )
 
     def moved(self, dq):
-        """Positions, tangents and voltages after displacements, rotations by a vector, and voltages `dq` (28,)."""
-        q = dq[:24].reshape(4, 6)
-        t = np.array([turned(t, theta) for t, theta in zip(self.t, q[:, 3:], strict=True)])
-        return dict(x=self.x + q[:, :3], t=t, v=self.v + dq[24:])
+        """Positions, tangents and voltages after displacements, rotations by a vector, and voltages `dq` (..., 28)."""
+        q = dq[..., :24].reshape(*dq.shape[:-1], 4, 6)
+        return dict(x=self.x + q[..., :3], t=turned(self.t, q[..., 3:]), v=self.v + dq[..., 24:])
 
     def residual(self, dq):
         result = self.evaluate(**self.moved(dq))
-        assert result.active
+        assert np.all(result.active)
         return result.R
-
-
-def turned(t, theta):
-    """`exp(theta) t` by Rodrigues' formula, in plain numbers: it is called a million times."""
-    x, y, z = (float(component) for component in theta)
-    angle = math.sqrt(x * x + y * y + z * z)
-    if angle == 0:
-        return t
-    x, y, z = x / angle, y / angle, z / angle
-    a, b, c = (float(component) for component in t)
-    cos, sin = math.cos(angle), math.sin(angle)
-    along = (1 - cos) * (x * a + y * b + z * c)
-    return np.array(
-        [
-            cos * a + sin * (y * c - z * b) + along * x,
-            cos * b + sin * (z * a - x * c) + along * y,
-            cos * c + sin * (x * b - y * a) + along * z,
-        ]
-    )
 
 
 #: Kinds of pairs: arguments of `Pair`

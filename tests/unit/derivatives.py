@@ -9,25 +9,23 @@ def derivative(function, x, step):
     The error is about `step**6` of truncation (in units of the function's seventh derivative / 140) and `2 eps/step` of
     round-off, times the size of the function.
     """
+    return derivative_of_batch(lambda states: np.array([function(state) for state in states]), x, step)
+
+
+def derivative_of_batch(function, x, step):
+    """The same of a function of many states at once, (n, ...) to (n, ...): one call of a kernel for all columns."""
     x = np.asarray(x, dtype=float)
-    columns = []
-    for i in np.ndindex(x.shape):
-        e = np.zeros_like(x)
-        e[i] = step
-        columns.append(
-            (
-                45 * (function(x + e) - function(x - e))
-                - 9 * (function(x + 2 * e) - function(x - 2 * e))
-                + (function(x + 3 * e) - function(x - 3 * e))
-            )
-            / (60 * step)
-        )
-    return np.stack(columns, axis=-1)
+    unit = np.eye(x.size).reshape(-1, *x.shape)
+    states = np.stack([x + k * (step * unit) for k in (-3, -2, -1, 1, 2, 3)])
+    values = function(states.reshape(-1, *x.shape))
+    value = values.reshape(6, -1, *values.shape[1:])
+    differences = 45 * (value[3] - value[2]) - 9 * (value[4] - value[1]) + (value[5] - value[0])
+    return np.moveaxis(differences, 0, -1) / (60 * step)
 
 
 def derivative_along(function, direction, step):
-    """Derivative of `function` at zero along a direction, by the same differences."""
-    return derivative(lambda s: function(s * direction), 0.0, step)[..., 0]
+    """Derivative at zero along a direction, by the same differences, of a function of many states at once."""
+    return derivative_of_batch(lambda s: function(s[:, None] * direction), 0.0, step)[..., 0]
 
 
 def random_direction(rng, free):
@@ -38,21 +36,33 @@ def random_direction(rng, free):
 
 
 def skew(a):
-    """Return the matrix of the cross product from the left."""
-    return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
+    """Return the matrix of the cross product from the left; of many vectors (..., 3) those of all."""
+    a = np.asarray(a, dtype=float)
+    result = np.zeros((*a.shape, 3))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        result[..., j, i], result[..., i, j] = a[..., k], -a[..., k]
+    return result
 
 
 def rotation(v):
-    """Rotation matrix of a rotation vector from the power series of the exponential, without the kernels.
+    """Rotation matrix of a rotation vector, or of many (..., 3), from the power series of the exponential, without the kernels.
 
     The vector is halved until the series converges to round-off in 20 terms, then the matrix is squared as often.
     """
     halvings = 4
-    s = skew(np.asarray(v, dtype=float)) / 2**halvings
-    term, total = np.eye(3), np.eye(3)
+    s = skew(v) / 2**halvings
+    term = total = np.broadcast_to(np.eye(3), s.shape)
     for n in range(1, 21):
         term = term @ s / n
         total = total + term
     for _ in range(halvings):
         total = total @ total
     return total
+
+
+def turned(t, theta):
+    """`exp(theta) t` by Rodrigues' formula; both (..., 3)."""
+    angle = np.linalg.norm(theta, axis=-1, keepdims=True)
+    axis = theta / np.where(angle > 0, angle, 1)
+    along = (axis * t).sum(axis=-1, keepdims=True) * axis
+    return along + np.cos(angle) * (t - along) + np.sin(angle) * np.cross(axis, t)

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from contact_pair import turned
-from derivatives import rotation
+from derivatives import derivative_of_batch, rotation, turned
 from litz.kernels import line_point
 
 LAWS = [
@@ -110,7 +109,11 @@ class LinePair:
             tangent = sum(a * b for a, b in zip(hb1, at, strict=True))
             bend = sum(a * b for a, b in zip(hb2, at, strict=True))
             w = self.vector(x, t, xi_bar)
-            xi_bar = xi_bar - (w @ tangent) / (tangent @ tangent + w @ bend)
+            change = (w @ tangent) / (tangent @ tangent + w @ bend)
+            xi_bar = xi_bar - change
+            # of a complex step this was the iteration that is exact to first order
+            if abs(change.real) < 1e-14:
+                break
         return xi_bar
 
     def gap(self, dq):
@@ -135,16 +138,11 @@ class LinePair:
     def moved(self, dq):
         """Positions, tangents and voltages of states (n, 28): displacements, rotations by a vector, and voltages."""
         q = dq[:, :24].reshape(-1, 4, 6)
-        t = np.array([[turned(t, theta) for t, theta in zip(self.t, state[:, 3:], strict=True)] for state in q])
-        return dict(x=self.x + q[:, :, :3], t=t, v=self.v + dq[:, 24:])
+        return dict(x=self.x + q[:, :, :3], t=turned(self.t, q[:, :, 3:]), v=self.v + dq[:, 24:])
 
     def derivative(self, function):
         """Derivative by the 28 unknowns of a function of many states, by differences of sixth order; new axis last."""
-        states = self.step * np.array([-3, -2, -1, 1, 2, 3])[:, None, None] * np.eye(28)
-        values = function(states.reshape(-1, 28))
-        value = values.reshape(6, 28, *values.shape[1:])
-        differences = 45 * (value[3] - value[2]) - 9 * (value[4] - value[1]) + (value[5] - value[0])
-        return np.moveaxis(differences, 0, -1) / (60 * self.step)
+        return derivative_of_batch(function, np.zeros(28), self.step)
 
 
 #: Kinds of pairs: arguments of `LinePair`

@@ -10,7 +10,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from derivatives import derivative, rotation, skew
+from derivatives import derivative_of_batch, rotation, skew
 from litz import _core, kernels
 
 STIFFNESS = {
@@ -45,9 +45,9 @@ class Configuration:
         self.x = self.x0 @ rigid.T + amplitude * rng.uniform(-0.2, 0.2, size=(2, 3))
 
     def moved(self, q):
-        """Positions and triads after displacements and rotation vectors `q` (12)."""
-        q = q.reshape(2, 6)
-        return self.x + q[:, :3], np.stack([rotation(p) @ t for p, t in zip(q[:, 3:], self.triads, strict=True)])
+        """Positions and triads after displacements and rotation vectors `q` (..., 12)."""
+        q = q.reshape(*q.shape[:-1], 2, 6)
+        return self.x + q[..., :3], rotation(q[..., 3:]) @ self.triads
 
     def __call__(self, q=None, **options):
         kernel = getattr(kernels, f"beam_{self.element}")
@@ -72,10 +72,11 @@ def unit(rng):
 
 
 def by_rotation_vectors(r, q):
-    """Gradient by spins to gradient by the rotation vectors in `q`."""
+    """Gradients (..., 12) by spins to gradients by the rotation vectors in `q`."""
     r = r.copy()
-    for rows in (slice(3, 6), slice(9, 12)):
-        r[rows] = _core.f2py_rotations.spin_tangent(q[rows]).T @ r[rows]
+    for state in np.ndindex(r.shape[:-1]):
+        for rows in (slice(3, 6), slice(9, 12)):
+            r[state][rows] = _core.f2py_rotations.spin_tangent(q[state][rows]).T @ r[state][rows]
     return r
 
 
@@ -92,17 +93,17 @@ def assert_blocks_equal(k, expected, tolerance):
 class TestDerivatives:
     def test_residual_is_the_gradient_of_the_energy(self, element, seed):
         case = Configuration(element, seed)
-        gradient = derivative(lambda q: case(q).energy, np.zeros(12), STEP)
+        gradient = derivative_of_batch(lambda q: case(q).energy, np.zeros(12), STEP)
         # round-off of the energy difference against a residual that may vanish: 2e-13 of the stiffness 1
         assert np.abs(case().R - gradient).max() < 1e-9 * np.abs(gradient).max() + 1e-13
 
     def test_spin_form_is_the_derivative_by_spins(self, element, seed):
         case = Configuration(element, seed)
-        assert_blocks_equal(case().K, derivative(lambda q: case(q).R, np.zeros(12), STEP), 1e-8)
+        assert_blocks_equal(case().K, derivative_of_batch(lambda q: case(q).R, np.zeros(12), STEP), 1e-8)
 
     def test_hessian_form_is_the_derivative_by_rotation_vectors(self, element, seed):
         case = Configuration(element, seed)
-        numeric = derivative(lambda q: by_rotation_vectors(case(q).R, q), np.zeros(12), STEP)
+        numeric = derivative_of_batch(lambda q: by_rotation_vectors(case(q).R, q), np.zeros(12), STEP)
         assert_blocks_equal(case(form="hessian").K, numeric, 1e-8)
 
     def test_hessian_form_is_symmetric_to_round_off(self, element, seed):
@@ -124,7 +125,7 @@ class TestDerivatives:
 
     def test_rows_of_b_are_the_derivatives_of_the_strains(self, element, seed):
         case = Configuration(element, seed)
-        numeric = derivative(lambda q: case.strains(q).strain, np.zeros(12), STEP)
+        numeric = derivative_of_batch(lambda q: case.strains(q).strain, np.zeros(12), STEP)
         assert np.abs(case.strains().B - numeric).max() < 1e-10 * np.abs(numeric).max()
 
     def test_given_section_forces_enter_through_the_second_derivatives_of_the_strains_only(self, element, seed):
@@ -140,9 +141,9 @@ class TestDerivatives:
         material = state.length * state.B.T @ np.diag(case.rigidities()) @ state.B
 
         def contracted(q):
-            return state.length * by_rotation_vectors(case.strains(q).B.T @ sigma, q)
+            return state.length * by_rotation_vectors(sigma @ case.strains(q).B, q)
 
-        geometric = derivative(contracted, np.zeros(12), STEP)
+        geometric = derivative_of_batch(contracted, np.zeros(12), STEP)
         assert np.abs(given.K - material - geometric).max() < 1e-9 * np.abs(given.K).max()
 
 
@@ -215,11 +216,10 @@ class TestInvariance:
         size = np.tile(np.repeat([0.1, 0.3], 3), 2)
         way, detour = size * case.rng.uniform(-1, 1, size=(2, 12))
         points, weights = np.polynomial.legendre.leggauss(30)
-        work = 0
-        for s, w in zip((points + 1) / 2, weights / 2, strict=True):
-            q = s * way + np.sin(np.pi * s) * detour
-            speed = way + np.pi * np.cos(np.pi * s) * detour
-            work += w * by_rotation_vectors(case(q).R, q) @ speed
+        s = (points[:, None] + 1) / 2
+        q = s * way + np.sin(np.pi * s) * detour
+        speed = way + np.pi * np.cos(np.pi * s) * detour
+        work = weights / 2 @ (by_rotation_vectors(case(q).R, q) * speed).sum(axis=1)
         assert work == pytest.approx(case(way).energy - case().energy, rel=1e-10, abs=1e-12)
 
 
@@ -570,7 +570,7 @@ def test_a_stress_free_strain_is_taken_from_the_axial_strain_alone(element, seed
 @some_configurations
 def test_the_tangent_at_a_stress_free_strain_is_the_derivative_of_the_forces(element, seed):
     beam = Configuration(element, seed)
-    numerical = derivative(lambda q: beam(q, stress_free_strain=0.02).R, np.zeros(12), STEP)
+    numerical = derivative_of_batch(lambda q: beam(q, stress_free_strain=0.02).R, np.zeros(12), STEP)
     tangent = beam(stress_free_strain=0.02).K
     for i in BLOCKS:
         for j in BLOCKS:

@@ -11,8 +11,8 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from contact_pair import CLASSES, Pair, turned
-from derivatives import derivative, derivative_along, random_direction, rotation, skew
+from contact_pair import CLASSES, Pair
+from derivatives import derivative_along, derivative_of_batch, random_direction, rotation, skew, turned
 from litz import _core
 from litz.kernels import closest_points, contact_coupling, contact_em, contact_spot, normal_law
 
@@ -46,7 +46,7 @@ def errors_along(k, residual, pair):
 
 def errors_of_tangent(seed, k, residual, pair):
     if seed < N_BY_COLUMNS:
-        return block_errors(k, derivative(residual, np.zeros(28), pair.step))
+        return block_errors(k, derivative_of_batch(residual, np.zeros(28), pair.step))
     return errors_along(k, residual, pair)
 
 
@@ -67,13 +67,13 @@ def test_tangent_is_the_derivative_of_the_residual_by_rotation_vectors(name):
     for seed in range(N_CONFIGURATIONS // 2):
         pair = Pair(seed, **CLASSES[name])
         phi = pair.rng.uniform(-2.5, 2.5, (4, 3))
-        start = np.array([turned(t, -p) for t, p in zip(pair.t, phi, strict=True)])
+        start = turned(pair.t, -phi)
 
         def residual(dq, pair=pair, phi=phi, start=start):
-            q = dq[:24].reshape(4, 6)
-            vectors = phi + q[:, 3:]
-            t = np.array([turned(s, p) for s, p in zip(start, vectors, strict=True)])
-            return pair.evaluate(x=pair.x + q[:, :3], t=t, v=pair.v + dq[24:], rotation_vectors=vectors).R
+            q = dq[:, :24].reshape(-1, 4, 6)
+            vectors = phi + q[..., 3:]
+            moved = dict(x=pair.x + q[..., :3], t=turned(start, vectors), v=pair.v + dq[:, 24:])
+            return pair.evaluate(**moved, rotation_vectors=vectors).R
 
         result = pair.evaluate(rotation_vectors=phi)
         errors = errors_of_tangent(seed, result.K, residual, pair)
@@ -91,7 +91,7 @@ def test_residual_of_the_penalty_law_is_the_gradient_of_its_energy(name):
             return pair.evaluate(**pair.moved(dq)).gap ** 2  # eps_n = 2: Pi = eps g^2/2
 
         r = pair.evaluate().R[:24]
-        gradient = derivative(energy, np.zeros(28), pair.step)[:24]
+        gradient = derivative_of_batch(energy, np.zeros(28), pair.step)[:24]
         assert np.abs(r - gradient).max() < TOLERANCE * np.abs(r).max(), seed
 
 
@@ -106,7 +106,7 @@ def test_residual_of_hertz_is_the_gradient_of_its_energy(name):
             return -0.4 * found.force * found.gap
 
         r = pair.evaluate().R[:24]
-        gradient = derivative(energy, np.zeros(28), pair.step)[:24]
+        gradient = derivative_of_batch(energy, np.zeros(28), pair.step)[:24]
         assert np.abs(r - gradient).max() < TOLERANCE * np.abs(r).max(), seed
 
 
@@ -387,20 +387,20 @@ def test_variations_of_gap_places_and_angle(name):
         pair = Pair(seed, **CLASSES[name])
         axis, radius, side = 1 if pair.axis == "linear" else 2, pair.properties["radius"], pair.laws.get("side", 0)
 
-        def kinematics(dq, pair=pair, axis=axis, radius=radius, side=side):
-            moved = pair.moved(dq)
-            places = closest_points(moved["x"], moved["t"], pair.length, axis=pair.axis)[:2]
-            return places, _core.f2py_contact.contact_kinematics(
-                moved["x"].T, moved["t"].T, pair.length, axis, radius, *places, side
+        def kinematics(x, t, places, pair=pair, axis=axis, radius=radius, side=side):
+            (_, gap, angle, cos_angle, _), _, rows, info = _core.f2py_contact.contact_kinematics(
+                x.T, t.T, pair.length, axis, radius, *places, side
             )
-
-        def values(dq, kinematics=kinematics):
-            places, ((_, gap, angle, cos_angle, _), _, _, info) = kinematics(dq)
             assert info == 0
-            return np.array([gap, *places, cos_angle, angle])
+            return np.array([gap, *places, cos_angle, angle]), rows.T
 
-        rows = kinematics(np.zeros(28))[1][2].T
-        numeric = derivative(values, np.zeros(28), 1e-3 * min(1, abs(values(np.zeros(28))[4])))[:, :24]
+        def values(dq, pair=pair, kinematics=kinematics):
+            x, t, _ = pair.moved(dq).values()
+            places = np.transpose(closest_points(x, t, pair.length, axis=pair.axis)[:2])
+            return np.array([kinematics(*state)[0] for state in zip(x, t, places, strict=True)])
+
+        here, rows = kinematics(pair.x, pair.t, closest_points(pair.x, pair.t, pair.length, axis=pair.axis)[:2])
+        numeric = derivative_of_batch(values, np.zeros(28), 1e-3 * min(1, abs(here[4])))[:, :24]
         errors = np.abs(rows - numeric).max(axis=1) / np.abs(rows).max(axis=1)
         assert errors.max() < TOLERANCE, (seed, errors)
 
@@ -638,9 +638,8 @@ class PairAtEnds:
     def evaluate(self, dq=None, **changed):
         x, t, v = self.x.copy(), self.t.copy(), self.v.copy()
         if dq is not None:
-            moves = dq[:24].reshape(4, 6)
-            x, v = x + moves[:, :3], v + dq[24:]
-            t = np.stack([rotation(spin) @ tangent for spin, tangent in zip(moves[:, 3:], t, strict=True)])
+            moves = dq[:, :24].reshape(-1, 4, 6)
+            x, t, v = x + moves[..., :3], turned(t, moves[..., 3:]), v + dq[:, 24:]
         return contact_em(x, t, self.length, v, **self.wires, **self.laws, **{"ends": self.ends, **changed})
 
     def residual(self, dq):
@@ -658,7 +657,7 @@ def test_the_tangent_of_a_contact_at_an_end_is_the_derivative_of_its_residual(en
         result = pair.evaluate()
         assert result.active, seed
         assert result.gap == pytest.approx(-pair.depth, rel=1e-6)
-        errors = block_errors(result.K, derivative(pair.residual, np.zeros(28), 0.02 * pair.depth))
+        errors = block_errors(result.K, derivative_of_batch(pair.residual, np.zeros(28), 0.02 * pair.depth))
         assert max(errors.values()) < TOLERANCE, (seed, errors)
 
 

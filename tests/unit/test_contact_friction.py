@@ -74,13 +74,15 @@ class RubbedPair(Pair):
     def after(self, dq):
         """Positions, tangents and rotations after displacements and spins (24)."""
         moved = self.moved(np.concatenate([dq, np.zeros(4)]))
-        turns = [rotation(theta) for theta in np.reshape(dq, (4, 6))[:, 3:]]
-        return moved["x"], moved["t"], np.array([a @ b for a, b in zip(turns, self.turned, strict=True)])
+        return moved["x"], moved["t"], rotation(np.reshape(dq, (4, 6))[:, 3:]) @ self.turned
 
     def friction_residual(self, dq):
         _, values, r = self.rub(*self.after(dq))
         assert values[5] == self.status
         return r
+
+    def friction_residuals(self, states):
+        return np.array([self.friction_residual(dq) for dq in states])
 
     def slip(self, dq):
         return self.rub(*self.after(dq))[1][6:]
@@ -110,7 +112,7 @@ def test_tangent_is_the_derivative_of_the_residual(name, status):
             difference = k - derivative(pair.friction_residual, np.zeros(24), pair.step)
         else:
             direction = random_direction(pair.rng, np.s_[:24])[:24]
-            difference = k @ direction - derivative_along(pair.friction_residual, direction, pair.step)
+            difference = k @ direction - derivative_along(pair.friction_residuals, direction, pair.step)
         assert np.abs(difference).max() < TOLERANCE * np.abs(k).max(), seed
 
 

@@ -3,7 +3,6 @@
 import re
 import shutil
 import subprocess
-import sys
 import warnings
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import numpy as np
 import pytest
 
 import litz
+from in_process import command
 from litz import kernels, read_mesh
 from litz.errors import FileError, InputError
 from litz.hosts import abaqus_input, ccx_input, feap_input, read_host_model
@@ -229,9 +229,7 @@ class TestAbaqus:
 
 class TestCommand:
     def call(self, *arguments):
-        return subprocess.run(
-            [sys.executable, "-m", "litz", "export", *map(str, arguments)], check=False, capture_output=True, text=True
-        )
+        return command("export", *arguments)
 
     @pytest.mark.parametrize(("program", "first"), [("feap", "FEAP * * Two copper wires"), ("abaqus", "*HEADING")])
     def test_it_writes_the_input(self, tmp_path, program, first):

@@ -61,10 +61,8 @@ class RubbedPair(LinePair):
     def after(self, dq):
         """Positions, tangents and rotations after displacements and spins (24)."""
         q = np.asarray(dq).reshape(4, 6)
-        turns = [rotation(theta) for theta in q[:, 3:]]
-        t = np.array([turn @ direction for turn, direction in zip(turns, self.t, strict=True)])
-        turned = np.array([turn @ before for turn, before in zip(turns, self.turned, strict=True)])
-        return self.x + q[:, :3], t, turned
+        turns = rotation(q[:, 3:])
+        return self.x + q[:, :3], (turns @ self.t[:, :, None])[:, :, 0], turns @ self.turned
 
     def residual(self, dq):
         return self.rub(*self.after(dq))[2]

@@ -7,8 +7,7 @@ and the round-off at most 1e-16/step.
 import numpy as np
 import pytest
 
-from contact_pair import turned
-from derivatives import rotation
+from derivatives import rotation, turned
 from line_pair import KINDS, LinePair, hermite
 from litz import _core
 from litz.kernels import closest_points, line_point
@@ -89,13 +88,13 @@ class TestAnyPair:
 
     def test_the_tangent_by_rotation_vectors_is_symmetric_in_the_mechanics(self, pair):
         phi = pair.rng.uniform(-1.5, 1.5, (4, 3))
-        start = np.array([turned(t, -p) for t, p in zip(pair.t, phi, strict=True)])
+        start = turned(pair.t, -phi)
 
         def residual(dq):
             q = dq[:, :24].reshape(-1, 4, 6)
             vectors = phi + q[:, :, 3:]
-            t = np.array([[turned(s, p) for s, p in zip(start, state, strict=True)] for state in vectors])
-            return pair.evaluate(x=pair.x + q[:, :, :3], t=t, v=pair.v + dq[:, 24:], rotation_vectors=vectors).R
+            moved = dict(x=pair.x + q[:, :, :3], t=turned(start, vectors), v=pair.v + dq[:, 24:])
+            return pair.evaluate(**moved, rotation_vectors=vectors).R
 
         result = pair.evaluate(rotation_vectors=phi)
         k_mm = result.K[MM]

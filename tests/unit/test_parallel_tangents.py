@@ -7,8 +7,7 @@ their round-off about 1e-13.
 import numpy as np
 import pytest
 
-from contact_pair import turned
-from derivatives import derivative
+from derivatives import derivative, turned
 from line_pair import hermite
 from litz import _core
 
@@ -59,7 +58,7 @@ def kinematics(x, t, side=0):
 
 def moved(x, t, dq):
     q = dq.reshape(4, 6)
-    return x + q[:, :3], np.array([turned(tangent, spin) for tangent, spin in zip(t, q[:, 3:], strict=True)])
+    return x + q[:, :3], turned(t, q[:, 3:])
 
 
 @pytest.fixture(params=BOWS, ids=str)

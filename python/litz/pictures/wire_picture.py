@@ -13,7 +13,9 @@ from typing import Any
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 
 from ..base.quantities import engineering, with_unit
@@ -96,16 +98,29 @@ def begin_rendering(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> 
     return finish
 
 
+class _Pixels(Artist):
+    """A picture with the pixels of the box of its axes: what `imshow` resamples is put there as it is."""
+
+    def __init__(self, picture: np.ndarray) -> None:
+        super().__init__()
+        opaque = np.full((*picture.shape[:2], 1), 255, dtype=np.uint8)
+        self._picture = np.concatenate([picture, opaque], axis=2)[::-1]
+
+    def draw(self, renderer: RendererBase) -> None:
+        """Place the picture at the lower left corner of the axes."""
+        left, bottom = np.rint(self.axes.bbox.min).astype(int)
+        context = renderer.new_gc()
+        renderer.draw_image(context, left, bottom, np.ascontiguousarray(self._picture))
+        context.restore()
+
+
 def draw_wires(axes: Axes, scene: Scene, camera: Camera, drawn: Drawn | None) -> None:
     """The scene in axes that keep their place; `drawn` is what `render` has made of it."""
     axes.set_xlim(-camera.half_width, camera.half_width)
     axes.set_ylim(-camera.half_height, camera.half_height)
     axes.set_axis_off()
     if drawn is not None:
-        axes.imshow(
-            drawn.picture, extent=(-camera.half_width, camera.half_width, -camera.half_height, camera.half_height),
-            aspect="auto", interpolation="nearest",
-        )  # fmt: skip
+        axes.add_artist(_Pixels(drawn.picture))
         return
     points_per_metre = 72 * axes.get_position().width * axes.figure.get_figwidth() / (2 * camera.half_width)
     _draw_flat(axes, scene, camera, points_per_metre)
