@@ -368,7 +368,6 @@ def test_there_are_decks_to_compare_solvers_on():
     assert len(list(INPUTS.glob("*.inp"))) >= 10
 
 
-@pytest.mark.slow
 def test_the_quick_claims_hold(tmp_path):
     misses = [
         f"{verdict.claim.id}: {verdict.remark or verdict.difference}"

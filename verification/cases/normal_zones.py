@@ -1,7 +1,7 @@
 """Normal zones that travel along superconducting wires: velocities without and with cooling, and how they depend on the mesh.
 
 Source: W. H. Whetstone, C. E. Roos, J. Appl. Phys. 36 (1965) 783-791; W. H. Cherry, J. I. Gittleman, Solid-State Electron. 1
-(1960) 287-305; M. N. Wilson, Superconducting Magnets (1983), section 9.1: v = (J/C) sqrt(rho k/(Ts - T0)) where the heat of the
+(1960) 287-305; M. N. Wilson, Superconducting Magnets (1983), chapter 9: v = (J/C) sqrt(rho k/(Ts - T0)) where the heat of the
 current sets in at Ts, times (1 - 2 y)/sqrt(1 - y) with the part y that a film of that rise takes of the heat; the zone recovers
 where y > 1/2. For a heat that grows between the temperature at which a current is shared and the critical one, or by the power
 law, references/normal_zone.py. A strand of NbTi has the fit of L. Bottura, IEEE Trans. Appl. Supercond. 10 (2000) 1054-1057.

@@ -1,7 +1,7 @@
 """Velocity with which a normal zone travels along a superconducting wire, from the equation of a front of fixed shape.
 
 Source: W. H. Whetstone, C. E. Roos, J. Appl. Phys. 36 (1965) 783-791 (without cooling); W. H. Cherry, J. I. Gittleman,
-Solid-State Electron. 1 (1960) 287-305 (with cooling); M. N. Wilson, Superconducting Magnets (1983), section 9.1. In the frame
+Solid-State Electron. 1 (1960) 287-305 (with cooling); M. N. Wilson, Superconducting Magnets (1983), chapter 9. In the frame
 of the front, with the heat capacity C, the conductivity k, the heat Q(T) of the current and the cooling H per volume,
 
    (k T')' + v C T' + Q(T) - H (T - T0) = 0 .
