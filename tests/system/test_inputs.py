@@ -99,11 +99,7 @@ def test_every_deck_has_a_header_that_says_what_and_whence(inputs):
 
 @pytest.mark.parametrize(
     "name",
-    [
-        pytest.param(name, marks=pytest.mark.slow) if name in LONG else name
-        for name in DECKS
-        if name != PRESSED_CABLE
-    ],
+    [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in DECKS if name != PRESSED_CABLE],
 )
 def test_every_run_balances_forces_currents_and_power(results_of, name):
     results = results_of(name)
