@@ -8,6 +8,7 @@ import pytest
 import litz
 from line_wires import COPPER, along, two_wires
 from line_wires import LED as GUIDED
+from strips import force_of_strip
 
 YIELD, HARDNESS = 60e6, 168e6
 BEHAVIOR = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD={YIELD}, HARDNESS={HARDNESS}\n"
@@ -40,17 +41,6 @@ def law(force, largest=0.0):
     )  # fmt: skip
 
 
-def force_at(overlap, largest=0.0):
-    """f of the law per length, by bisection."""
-    low, high = 0.0, 3e4
-    if overlap <= law(1e-6, largest).approach:
-        return 0.0
-    for _ in range(200):
-        middle = (low + high) / 2
-        low, high = (middle, high) if law(middle, largest).approach < overlap else (low, middle)
-    return low
-
-
 def middle_of(results, step):
     """Places within the wires at the end of a step, away from the ends."""
     contacts = results.contacts
@@ -67,7 +57,7 @@ def test_parallel_wires_follow_the_law_per_length_with_its_memory(run, elements)
     largest = 0.0
     for step, z in enumerate(OVERLAPS, 1):
         found = middle_of(results, step)
-        expected = force_at(z, largest)
+        expected = force_of_strip(law, z, largest, up_to=3e4)
         if not expected > 0:
             assert len(found["force"]) == 0
             continue
@@ -167,7 +157,7 @@ def test_a_film_lies_on_the_strips(run):
     assert process.returncode == 0, process.stderr
     largest = 0.0
     for step, z in enumerate((1e-6, 0.9e-6), 1):
-        found, force = middle_of(results, step), force_at(z, largest)
+        found, force = middle_of(results, step), force_of_strip(law, z, largest, up_to=3e4)
         exact = law(force, largest)
         expected = 1 / (1 / exact.conductance + film / (2 * exact.half_width))
         assert 1 / (found["resistance"] * found["length"]) == pytest.approx(expected, rel=1e-6)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import litz
+from strips import force_of_strip
 from test_restart import KEEP_ALL, assert_goes_on_from_everywhere
 from test_rigid_surfaces import along_x, leaning, surface, wire
 
@@ -51,17 +52,6 @@ def strip(force, largest=0.0):
     )
 
 
-def force_of_strip(overlap, largest=0.0):
-    """f of the law per length, by bisection [N/m]."""
-    low, high = 0.0, 2e5
-    if overlap <= strip(1e-6, largest).approach:
-        return 0.0
-    for _ in range(200):
-        middle = (low + high) / 2
-        low, high = (middle, high) if strip(middle, largest).approach < overlap else (low, middle)
-    return low
-
-
 def round_spot(overlap, largest=0.0):
     """The law of crossed wires of one radius at a right angle, whose spot is round."""
     return litz.kernels.normal_law(
@@ -84,7 +74,7 @@ def test_a_wire_on_a_plane_follows_the_law_per_length_with_its_memory(run):
     assert process.returncode == 0, process.stderr
     largest = 0.0
     for z, force, dents in zip(COURSE, *(ends_of_steps(results, name) for name in ("force", "dent")), strict=True):
-        expected = force_of_strip(z, largest)
+        expected = force_of_strip(strip, z, largest, up_to=2e5)
         largest = max(largest, expected)
         # a wire beside a thousand million times thicker one, and the tolerance of the bisection
         assert force / LENGTH == pytest.approx(expected, rel=1e-8)

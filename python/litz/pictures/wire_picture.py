@@ -104,13 +104,14 @@ class _Pixels(Artist):
     def __init__(self, picture: np.ndarray) -> None:
         super().__init__()
         opaque = np.full((*picture.shape[:2], 1), 255, dtype=np.uint8)
-        self._picture = np.concatenate([picture, opaque], axis=2)[::-1]
+        # from the bottom up, as renderers take it
+        self._picture = np.ascontiguousarray(np.concatenate([picture, opaque], axis=2)[::-1])
 
     def draw(self, renderer: RendererBase) -> None:
         """Place the picture at the lower left corner of the axes."""
         left, bottom = np.rint(self.axes.bbox.min).astype(int)
         context = renderer.new_gc()
-        renderer.draw_image(context, left, bottom, np.ascontiguousarray(self._picture))
+        renderer.draw_image(context, left, bottom, self._picture)
         context.restore()
 
 
