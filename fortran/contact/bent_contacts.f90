@@ -8,7 +8,7 @@
 !> Source: theory section 10, with (10.14a) and (10.14b).
 module litz_bent_contacts
    use litz_kinds, only: dp, pi
-   use litz_axis, only: axis_shape, on_axis
+   use litz_axis_curvature, only: curvature_at_nodes, axis_curvature
    use litz_bent_wires, only: bent_crossing_t, bent_crossing
    use litz_closest_points, only: parallel_sine
    use litz_contact_bending, only: bends_seen_t, risen
@@ -22,8 +22,8 @@ module litz_bent_contacts
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: feels_bends, is_bent, resists_bending, bends_of, sine_of_bends, see_bends, settle_bends, follow_bends, &
-      change_of_bends, change_of_resistance
+   public :: feels_bends, is_bent, resists_bending, bends_of, sine_of_bends, qualities_of, see_bends, settle_bends, &
+      follow_bends, change_of_bends, change_of_resistance
 
    !> Angle by which a wire turns at a node from which on that begins to be a kink, which it is at 20 degrees
    real(dp), parameter :: begins_to_kink = 10*pi/180, is_kink = 20*pi/180
@@ -53,6 +53,16 @@ contains
 
       is_bent = any(abs(point%bends%curvature) > 0)
    end function is_bent
+
+   !> q (10.3) of a foot on the unbarred and on the barred wire (2): `1 + d k`, with curvatures that have no jump at
+   !> nodes.
+   pure function qualities_of(point) result(quality)
+      !> A crossing
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: quality(2)
+
+      quality = 1 + point%kinematics%distance*point%bends%of_axes([2, 1])
+   end function qualities_of
 
    !> The straight wires for which the law takes the two.
    pure type(bent_crossing_t) function bends_of(point, angle) result(straight)
@@ -129,17 +139,30 @@ contains
       logical, intent(in) :: stay, places_stay
       !> With its kinematics
       type(contact_point_t), intent(inout) :: point
+      real(dp) :: of_axes(3, 2)
+      logical :: resists
 
-      if (.not. stay) point%bends%curvature = 0
-      point%bends%are_known = .true.
-      if (.not. feels_bends(law)) return
-      if (stay .and. (places_stay .or. .not. resists_bending(point))) return
-      point%bends_seen = curvatures_seen(model, wires, elements, axis_of_pair(model, point%pair), point, x, rotation)
+      resists = feels_bends(law) .and. .not. places_stay .and. resists_bending(point)
+      if (stay .and. .not. resists) return
+      call find_curvatures(model, wires, elements, point, x, rotation, of_axes, point%bends_seen)
       if (stay) return
-      associate (n => point%kinematics%normal)
-         point%bends%curvature = [dot_product(n, curvature_at(point%bends_seen, 1, point%xi_bar)), &
-            -dot_product(n, curvature_at(point%bends_seen, 2, point%xi))]
-      end associate
+      point%bends%are_known = .true.
+      point%bends%of_axes = away(of_axes)
+      point%bends%curvature = 0
+      if (feels_bends(law)) point%bends%curvature = away(reshape([curvature_at(point%bends_seen, 1, point%xi_bar), &
+         curvature_at(point%bends_seen, 2, point%xi)], [3, 2]))
+
+   contains
+
+      !> From each other, of the barred and the unbarred axis (2) [1/m].
+      pure function away(curvature)
+         !> Of both (3, 2) [1/m]
+         real(dp), intent(in) :: curvature(:, :)
+         real(dp) :: away(2)
+
+         away = [1, -1]*matmul(point%kinematics%normal, curvature)
+      end function away
+
    end subroutine see_bends
 
    !> How the energy of a contact changes with the curvatures of its two axes (2) [J m].
@@ -161,31 +184,33 @@ contains
       end associate
    end function energy_by_curvature
 
-   !> Curvatures of both axes of a contact, without a jump at nodes.
-   pure type(bends_seen_t) function curvatures_seen(model, wires, elements, axis, point, x, rotation) result(seen)
+   !> Curvatures of both axes of a contact, without a jump at nodes: of the axes, and what the law sees of them.
+   pure subroutine find_curvatures(model, wires, elements, point, x, rotation, of_axes, seen)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      !> `axis_linear` or `axis_hermite`
-      integer, intent(in) :: axis
       type(contact_point_t), intent(in) :: point
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> Of the barred and the unbarred axis (3, 2) [1/m]
+      real(dp), intent(out) :: of_axes(3, 2)
+      type(bends_seen_t), intent(out) :: seen
       real(dp) :: at_node(3, 2), part(2)
       integer :: i, side
 
       associate (pair => [point%element_bar, point%element], xi => [point%xi_bar, point%xi])
          do i = 1, 2
-            do side = 1, 2
-               call find_at_node(model, wires, elements, axis, pair(i), side, x, rotation, at_node(:, side), part(side))
-            end do
-            seen%at_first(:, i) = at_node(:, 1)
-            seen%change(:, i) = at_node(:, 2) - at_node(:, 1)
+            at_node = curvature_at_nodes(model, wires, elements, axis_of_pair(model, point%pair), pair(i), x, rotation)
+            of_axes(:, i) = axis_curvature(model, wires, elements, axis_of_pair(model, point%pair), pair(i), xi(i), &
+               x, rotation)
+            part = [(part_seen(model, wires, pair(i), side), side=1, 2)]
+            seen%at_first(:, i) = part(1)*at_node(:, 1)
+            seen%change(:, i) = part(2)*at_node(:, 2) - part(1)*at_node(:, 1)
             seen%part(i) = away_from_nodes(xi(i))*((part(1) + part(2))/2 + xi(i)*(part(2) - part(1))/2)
             seen%place(i) = point%angle_at(i)
          end do
       end associate
-   end function curvatures_seen
+   end subroutine find_curvatures
 
    !> How much of the force on the element itself there is: next to a node, where it would go over to another element,
    !> there is none.
@@ -208,17 +233,13 @@ contains
       curvature = seen%at_first(:, i) + risen(xi)*seen%change(:, i)
    end function curvature_at
 
-   !> At a node of an element: none at kinks and where wires join.
-   pure subroutine find_at_node(model, wires, elements, axis, e, side, x, rotation, curvature, part)
+   !> What the law sees of the curvature at the first or second node of an element [-]: nothing at kinks and where wires
+   !> join.
+   pure real(dp) function part_seen(model, wires, e, side) result(part)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      !> `axis_linear` or `axis_hermite`, the element, and its first or second node
-      integer, intent(in) :: axis, e, side
-      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
-      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      !> (3) [1/m], and what the law sees of the curvature there [-]
-      real(dp), intent(out) :: curvature(3), part
+      !> Element, and 1 or 2
+      integer, intent(in) :: e, side
       real(dp) :: turn
       integer :: next, node
 
@@ -226,26 +247,12 @@ contains
       next = wires%next(side, e)
       if (next == 0) then
          part = merge(1.0_dp, 0.0_dp, wires%first_at_node(node + 1) - wires%first_at_node(node) == 1)
-         curvature = part*own_curvature(e, side)
          return
       end if
       turn = acos(min(1.0_dp, abs(dot_product(chord(e), chord(next)))))
       part = 1 - smooth_step((turn - begins_to_kink)/(is_kink - begins_to_kink))
-      curvature = part*harmonic_mean(own_curvature(e, side), own_curvature(next, merge(1, 2, &
-         model%connectivity(1, next) == node)))
 
    contains
-
-      !> Of two vectors (3), weighted by the size of the other one: none where one of them is none, or they are
-      !> opposite, so that what is straight stays so beside a bend.
-      pure function harmonic_mean(a, b) result(mean)
-         !> (3)
-         real(dp), intent(in) :: a(3), b(3)
-         real(dp) :: mean(3), sizes(2)
-
-         sizes = [norm2(a), norm2(b)]
-         mean = (sizes(2)*a + sizes(1)*b)/max(sum(sizes), tiny(sizes))
-      end function harmonic_mean
 
       !> Reference direction of an element (3).
       pure function chord(element)
@@ -259,25 +266,7 @@ contains
          chord = chord/norm2(chord)
       end function chord
 
-      !> At the first or second node of an element (3) [1/m].
-      pure function own_curvature(element, end) result(k)
-         !> Index, and 1 or 2
-         integer, intent(in) :: element, end
-         real(dp) :: k(3), h(4), h1(4), h2(4), t(3, 2), x1(3)
-         integer :: i
-
-         call axis_shape(axis, elements%length(element), real(2*end - 3, dp), h, h1, h2)
-         associate (nodes => model%connectivity(:, element))
-            do i = 1, 2
-               t(:, i) = matmul(rotation(:, :, nodes(i)), wires%contact_tangents0(:, i, element))
-            end do
-            x1 = on_axis(h1, x(:, nodes), t)
-            k = on_axis(h2, x(:, nodes), t)
-         end associate
-         k = (k - x1*dot_product(x1, k)/dot_product(x1, x1))/dot_product(x1, x1)
-      end function own_curvature
-
-   end subroutine find_at_node
+   end function part_seen
 
    !> Relative change of the force by that of the curvatures, about.
    pure real(dp) function change_of_bends(earlier, point) result(change)

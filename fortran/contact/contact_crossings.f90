@@ -354,7 +354,7 @@ contains
          point%gap = kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
       end associate
       if (point%regular) call see_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
-         point%pair)%interaction)%normal, point%bends%are_known, places_stay, point)
+         point%pair)%interaction)%normal, (point%bends%are_known), places_stay, point)
       if (point%regular) call measure_legs(model, wires, elements, axis, x, rotation, point)
    end subroutine set_geometry
 

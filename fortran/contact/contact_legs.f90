@@ -6,12 +6,11 @@
 !> is attributed to, so that nothing depends on the order of elements. Source: theory section 10.
 module litz_contact_legs
    use litz_kinds, only: dp, pi
-   use litz_contact_lens, only: cut_ends, flatness, least_bend
+   use litz_contact_lens, only: cut_ends, flatness, least_bend, sine_of_overlap
    use litz_contact_points, only: contact_point_t, leg_t, joint_parts_t, arc_at
    use litz_element_library, only: elements_t, material_at
    use litz_joint_ways, only: view_t, joint_t, way_t, view_from, overlap_of, find_ways
    use litz_lens_law, only: smooth_step
-   use litz_line_kinematics, only: lens_sine
    use litz_line_laps, only: distances_to_ends
    use litz_model, only: model_t
    use litz_rotations, only: cross
@@ -75,7 +74,7 @@ contains
       real(dp) :: u(2), sine, length
 
       sine = 1
-      if (.not. any(point%held)) sine = max(lens_sine(point%kinematics), sin(point%kinematics%angle))
+      if (.not. any(point%held)) sine = max(sine_of_overlap(point), sin(point%kinematics%angle))
       length = sqrt(2*point%kinematics%distance*overlap_of(point))
       associate (pair => [point%element_bar, point%element])
          u = distances_to_ends(wires, elements, pair(side), merge(point%arc_bar, point%arc, side == 1))

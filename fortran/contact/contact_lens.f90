@@ -5,7 +5,7 @@
 module litz_contact_lens
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_bent_contacts, only: is_bent, bends_of
+   use litz_bent_contacts, only: is_bent, bends_of, qualities_of
    use litz_bent_wires, only: bent_crossing_t
    use litz_closest_points, only: parallel_sine
    use litz_contact_points, only: contact_point_t, leg_t, is_contact_of
@@ -13,14 +13,14 @@ module litz_contact_lens
    use litz_element_library, only: elements_t
    use litz_end_places, only: place_at_end_t
    use litz_lens_law, only: smooth_step
-   use litz_line_kinematics, only: lens_sine, sine_at_angle
+   use litz_line_kinematics, only: sine_at_angle
    use litz_line_laps, only: distances_to_ends
    use litz_wires, only: wires_t
    implicit none
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
-      angle_of_law, sine_of_lens, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, least_bend, &
-      wedge_length, deepest, least_overlap, longest, small_sine, moderate_sine
+      angle_of_law, sine_of_lens, sine_of_overlap, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, &
+      least_bend, wedge_length, deepest, least_overlap, longest, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
@@ -51,8 +51,17 @@ contains
       type(contact_point_t), intent(in) :: point
 
       has_lens = point%kinematics%distance > 0
-      if (has_lens .and. .not. any(point%held)) has_lens = lens_sine(point%kinematics) > 0
+      if (has_lens .and. .not. any(point%held)) has_lens = sine_of_overlap(point) > 0
    end function has_lens
+
+   !> Sine s of a crossing (10.14), of its axes as they are: 0 where the wires follow each other.
+   pure real(dp) function sine_of_overlap(point) result(sine)
+      !> A crossing
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: slope, curvature
+
+      call sine_at_angle(qualities_of(point), point%kinematics%angle, sine, slope, curvature)
+   end function sine_of_overlap
 
    !> How the angle that the law of a crossing sees changes with that of the axes.
    pure subroutine angle_of_law(point, slope, curvature)
@@ -116,7 +125,7 @@ contains
 
       if (.not. any(point%held)) then
          half_length = sqrt(2*point%kinematics%distance*max(0.0_dp, min(-point%gap, largest_overlap))) &
-            /lens_sine(point%kinematics)
+            /sine_of_overlap(point)
          return
       end if
       half_length = 0

@@ -15,6 +15,8 @@ module litz_crossings_of_wires
    !> are: where distance goes in waves, with the lenses of their curvature at the deepest places, pi/2 as waves close
    !> altogether. At pi they overlap over a third of their length, and the force of a lens is within 3 % of theirs
    real(dp), parameter :: begin_to_touch = pi, one_overlap = pi/2
+   !> Nearer than this they are two deepest places of one lens
+   real(dp), parameter :: one_lens = 0.2_dp
    !> Part of the overlap of a crossing that makes it one with another one in full: of a third of its force
    real(dp), parameter :: as_deep = 0.5_dp
 
@@ -262,7 +264,8 @@ contains
                   together = half_length(a%crossing) + half_length(b%crossing)
                   apart = max(wires%arc_between(a%own, a%arc, b%arc), wires%arc_between(a%other, a%arc_other, &
                      b%arc_other))
-                  touch = smooth_step((begin_to_touch - apart/together)/(begin_to_touch - one_overlap))
+                  touch = smooth_step((begin_to_touch - apart/together)/(begin_to_touch - one_overlap)) &
+                     *smooth_step(apart/(one_lens*together))
                   call add_ripple(crossings(b%crossing)%gap, touch, crossings(a%crossing))
                   call add_ripple(crossings(a%crossing)%gap, touch, crossings(b%crossing))
                end associate

@@ -9,7 +9,7 @@
 !> Source: theory (10.16a) and (10.16b).
 module litz_lens_growth
    use litz_kinds, only: dp
-   use litz_bent_contacts, only: bends_of, is_bent
+   use litz_bent_contacts, only: bends_of, is_bent, qualities_of
    use litz_bent_wires, only: bent_crossing_t
    use litz_contact_lens, only: has_lens, half_length_of, deepest
    use litz_contact_points, only: contact_point_t
@@ -17,7 +17,7 @@ module litz_lens_growth
    use litz_cut_lens, only: is_cut
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, lens_force, lens_energy, grown_energy, share_of_line, gauss_depth, gauss_weight
-   use litz_line_kinematics, only: crossing_qualities, sine_at_angle
+   use litz_line_kinematics, only: sine_at_angle
    use litz_line_law, only: line_wires_t, line_wires
    use litz_normal_law, only: normal_law_t
    use litz_shares_at_ends, only: share_at_crossing
@@ -121,7 +121,7 @@ contains
       type(bent_crossing_t) :: straight
       real(dp) :: unused, sine, slope
 
-      call sine_at_angle(crossing_qualities(point%kinematics), angle, turned%sine, turned%slope, unused)
+      call sine_at_angle(qualities_of(point), angle, turned%sine, turned%slope, unused)
       sine = sin(angle)
       slope = cos(angle)
       if (is_bent(point)) then

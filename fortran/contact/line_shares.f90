@@ -5,11 +5,11 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, settle_bends, change_of_bends, &
+   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, qualities_of, settle_bends, change_of_bends, &
       change_of_resistance
    use litz_bent_wires, only: bent_crossing_t
-   use litz_contact_lens, only: has_lens, sine_of_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, &
-      place_at_ends, flatness, least_bend, deepest
+   use litz_contact_lens, only: has_lens, sine_of_lens, sine_of_overlap, half_length_of, half_length_on, &
+      divide_at_ends, tells_shares, place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
    use litz_cut_lens, only: cut_lens_t, is_cut
@@ -18,7 +18,7 @@ module litz_line_shares
    use litz_lens_growth, only: settle_growth
    use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
-   use litz_line_kinematics, only: lens_sine, crossing_qualities, line_profile_t, line_profile
+   use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
    use litz_line_places, only: line_places_t, spacing_of_places
    use litz_model, only: model_t
@@ -145,8 +145,8 @@ contains
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
-      point%lens_sine = lens_sine(point%kinematics)
-      point%lens_quality = crossing_qualities(point%kinematics)
+      point%lens_sine = sine_of_overlap(point)
+      point%lens_quality = qualities_of(point)
       point%lens_share = share_at_crossing(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
@@ -169,7 +169,7 @@ contains
 
       share = 0
       if (size(contact%line_points) == 0) return
-      quality = crossing_qualities(point%kinematics)
+      quality = qualities_of(point)
       share = share_of_pass(quality)*share_along(wires, elements, contact, by_place, point%element_bar, point%xi_bar, &
          point%element, point%arc) + share_of_pass(quality([2, 1]))*share_along(wires, elements, contact, by_place, &
          point%element, point%xi, point%element_bar, point%arc_bar)
@@ -396,7 +396,7 @@ contains
       short = (1 - crossing%long_share)*smooth_step(nearness)
       ! a wedge is cut by an end or joint, and not by a crossing; what bends less than its lens goes on beyond it
       if (.not. any(legs > 0)) short = short*smooth_step(bend*crossing%kinematics%distance &
-         /(bends_as_lens*lens_sine(crossing%kinematics)**2))
+         /(bends_as_lens*sine_of_overlap(crossing)**2))
       if (.not. short > 0) return
       radius = minval(crossing%radius)
       if (any(legs > 0)) then
@@ -431,7 +431,7 @@ contains
       !> The smaller one [m]
       real(dp), intent(in) :: radius
 
-      share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(lens_sine(crossing%kinematics) &
+      share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(sine_of_overlap(crossing) &
          *radius))
    end function share_of_kept
 

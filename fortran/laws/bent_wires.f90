@@ -21,9 +21,11 @@ module litz_bent_wires
    !> Of a contact; within an iteration it stays.
    type :: bends_t
       logical :: are_known = .false.
-      !> Curvatures of the axes away from each other (2) [1/m], the mean curvature of the gap over that of straight
-      !> wires, and how the energy changes with the curvatures (2) [J m]
+      !> Curvatures of the axes away from each other that the law of the contact sees (2) [1/m], the mean curvature of
+      !> the gap over that of straight wires, and how the energy changes with the curvatures (2) [J m]
       real(dp) :: curvature(2) = 0, ratio = 1, by_curvature(2) = 0
+      !> Curvatures by which the length of the overlap is told (2) [1/m]: at kinks and of every law, too
+      real(dp) :: of_axes(2) = 0
    end type bends_t
 
    type :: bent_crossing_t

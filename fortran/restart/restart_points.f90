@@ -100,6 +100,8 @@ contains
       call table%field('curvature', point%bends%curvature(2))
       call table%field('energy_by_curvature_bar', point%bends%by_curvature(1))
       call table%field('energy_by_curvature', point%bends%by_curvature(2))
+      call table%field('axis_curvature_bar', point%bends%of_axes(1))
+      call table%field('axis_curvature', point%bends%of_axes(2))
       call table%field('curvature_ratio', point%bends%ratio)
       call table%field('bends_change_bar', point%bends_seen%change(:, 1))
       call table%field('bends_change', point%bends_seen%change(:, 2))

@@ -149,6 +149,18 @@ def test_the_force_has_no_step_where_the_bend_turns_about_the_axis_at_a_node(run
     assert forces[1] == pytest.approx(forces[0], rel=5e-3)
 
 
+def test_the_force_has_small_steps_at_small_angles_beside_the_node_at_which_a_bend_begins(run):
+    """The length of the overlap follows the curvature of the axis, which has no jump; steps of the places are left."""
+    bend = (arc(-0.05 / R, n=12, half=6 * R, shift=6 * R)[1:] * [-1, 1, 1])[::-1]
+    points, forces = np.vstack([bend, [[k * R, 0, 0] for k in range(11)]]), []
+    places = np.linspace(0.9, 1.1, 9)
+    for place in places:
+        rod = arc(0.0, degrees=12, height=2 * R, shift=0.03 * R) + np.array([place * R, 0, 0])
+        results = solved(run(two_wires(points, rod, HELD, step(boundary=f" UPPER, 3, 3, {-0.02 * R}\n"))))
+        forces.append(results.contacts_at(-1)["force"].sum())
+    assert np.abs(np.diff(forces)).max() < 0.05 * max(forces)
+
+
 @pytest.mark.parametrize(
     ("degrees", "half", "push", "elements"), [(20, 6, 0.3, 16), (14, 12, 1.5, 24), (24, 18, 2, 24)]
 )
