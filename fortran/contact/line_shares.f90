@@ -99,9 +99,11 @@ contains
       if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
       point%law_sine = sin(point%law_angle)
       point%bends%ratio = 1
+      point%bends%as_equal = .false.
       if (.not. is_bent(point)) return
       straight = bends_of(point, point%law_angle)
       point%bends%ratio = straight%ratio
+      point%bends%as_equal = straight%as_equal
       point%law_sine = straight%sine
       point%law_angle = asin(min(1.0_dp, straight%sine))
    end subroutine set_angle_of_axes

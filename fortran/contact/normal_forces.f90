@@ -54,6 +54,7 @@ contains
       ! stiffness is that of the reference section, in contacts as in beams; gaps see the swelling
       pair%radius = model%sections(model%element_section(both))%contact_radius + point%lens%of_ball
       ! bent ones as the straight ones that stand for them
+      if (point%bends%as_equal) pair%radius = 2*product(pair%radius)/sum(pair%radius)
       pair%radius = pair%radius/point%bends%ratio
       if (model%interactions(model%contact_pairs(point%pair)%interaction)%voltage_correction) then
          pair%series_resistance = elements%resistivity(both)*elements%length(both)/(4*elements%area(both))

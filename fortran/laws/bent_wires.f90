@@ -2,7 +2,8 @@
 !>
 !> At a crossing the surface of a bent wire has the curvature `c = k/(1 + k r)` along its axis, with the curvature k of
 !> that away from the other wire. Contact by Hertz depends on the sum and the product of the principal curvatures of the
-!> gap, which are those of straight wires of the radii r/m that cross at the angle with the sine s.
+!> gap, which are those of straight wires of the radii r/m that cross at the angle with the sine s; where s would be
+!> above 1, those of two wires of the radius 2/(m (1/r + 1/rb)).
 !>
 !> Source: theory (10.14a).
 module litz_bent_wires
@@ -21,6 +22,8 @@ module litz_bent_wires
    !> Of a contact; within an iteration it stays.
    type :: bends_t
       logical :: are_known = .false.
+      !> The law takes two wires of the same radius
+      logical :: as_equal = .false.
       !> Curvatures of the axes away from each other that the law of the contact sees (2) [1/m], the mean curvature of
       !> the gap over that of straight wires, and how the energy changes with the curvatures (2) [J m]
       real(dp) :: curvature(2) = 0, ratio = 1, by_curvature(2) = 0
@@ -29,6 +32,9 @@ module litz_bent_wires
    end type bends_t
 
    type :: bent_crossing_t
+      !> As round a contact as no straight wires of these radii have: those of the radius of a wire of the same mean
+      !> curvature do, `2/(1/r + 1/rb)`
+      logical :: as_equal = .false.
       !> Mean curvature of the gap over that of straight wires, m, and the sine s
       real(dp) :: ratio = 1, sine = 0
       !> First and second derivative by the angle of the axes, of the angle with this sine, which is at most a right one
@@ -45,7 +51,7 @@ contains
       real(dp), intent(in) :: radius(2), curvature(2)
       !> Between the axes [rad]
       real(dp), intent(in) :: angle
-      real(dp) :: c(2), dc(2), bend(2), mean, alpha, beta, part, second, cosine, square_of_cosine
+      real(dp) :: c(2), dc(2), bend(2), mean, alpha, beta, part, second, cosine, square_of_cosine, of_equal
 
       bend = max(curvature*radius, -most_about)
       c = bend/((1 + bend)*radius)
@@ -63,7 +69,7 @@ contains
          ! of m^2 - alpha - beta, without loss of digits
          square_of_cosine = ((radius(1) - radius(2))*(c(1)*radius(2) - c(2)*radius(1))/sum(radius) + (mean*sum(c))**2 &
             - product(c*radius) + beta*cos(angle)**2)/m**2
-         if (s > 0 .and. s < 1) straight%dsine = slope_of_floored(part)*((sum(radius) - radius*(1 - c([2, 1]) &
+         if (s > 0) straight%dsine = slope_of_floored(part)*((sum(radius) - radius*(1 - c([2, 1]) &
             *radius([2, 1]))*sin(angle)**2)*dc/m**2 - 2*part*sin(angle)**2/m*straight%dratio)/(2*s)
          ! d(s^2)/d(sin^2(psi)), and twice its derivative by psi
          second = 0
@@ -73,10 +79,18 @@ contains
             if (part > 0) second = (beta - part)**2*cos(angle)**2/least_part
             beta = floored(part) + slope_of_floored(part)*(beta - part)
          end if
-         s = min(1.0_dp, s)
          straight%slope = 0
-         ! bent so much and so unlike that no straight wires of these radii are as round a contact
-         if (square_of_cosine < 0 .or. .not. s > 0) return
+         if (.not. s > 0) return
+         if (square_of_cosine < 0) then
+            straight%as_equal = .true.
+            ! B - A = (A + B) cos(theta) of straight wires of the same radius, and of others
+            of_equal = 4*product(radius)/sum(radius)**2
+            s = sqrt(of_equal)*s
+            straight%dsine = sqrt(of_equal)*straight%dsine
+            beta = of_equal*beta
+            square_of_cosine = max(0.0_dp, 1 - of_equal + of_equal*square_of_cosine)
+         end if
+         s = min(1.0_dp, s)
          cosine = sqrt(square_of_cosine)
          ! cos(theta) theta' = s', and again
          if (cosine > no_cosine) then

@@ -103,6 +103,7 @@ contains
       call table%field('axis_curvature_bar', point%bends%of_axes(1))
       call table%field('axis_curvature', point%bends%of_axes(2))
       call table%field('curvature_ratio', point%bends%ratio)
+      call table%field('takes_equal_radii', point%bends%as_equal)
       call table%field('bends_change_bar', point%bends_seen%change(:, 1))
       call table%field('bends_change', point%bends_seen%change(:, 2))
       call table%field('bends_part_bar', point%bends_seen%part(1))
