@@ -63,10 +63,12 @@ contains
 
    !> The whole tangent times values, beyond what the matrix of the currents has: heat and currents that leave the
    !> nodes. Motions take part where they are in the same Newton step.
-   subroutine multiply_heat(self, value, heat, current)
+   subroutine multiply_heat(self, value, accuracy, heat, current)
       type(contact_heat_t), target, intent(in) :: self
       !> Changes at the nodes (n_slots, n_nodes)
       real(dp), intent(in) :: value(:, :)
+      !> Of currents and temperatures that are solved for, relative
+      real(dp), intent(in) :: accuracy
       !> (n_nodes) [W], (n_nodes) [A]
       real(dp), intent(inout) :: heat(:), current(:)
       type(change_t) :: change
@@ -81,14 +83,15 @@ contains
          call move_contacts(self, value, moved)
       end if
       associate (potential => value(potential_slots(1), :), temperature => value(temperature_slots(1), :))
-         call change_currents(self, potential, temperature, moved, change)
+         call change_currents(self, potential, temperature, moved, accuracy, change)
          call change_heats(self, potential, temperature, moved, change)
       end associate
-      call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), dbulk)
-      call follow(self, dbulk, followed)
+      call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), accuracy, dbulk)
+      call follow(self, dbulk, accuracy, followed)
       call add_entering(self, change%heat + followed%heat + change%between + followed%between, &
          change%at_nodes + followed%at_nodes, heat)
-      call add_beyond_linear(self, value(potential_slots(1), :), change%current + followed%current, current)
+      call add_beyond_linear(self, value(potential_slots(1), :), change%current + followed%current, accuracy, &
+         current)
       if (.not. allocated(moved)) return
       call add_moved_currents(self, moved, current)
       call add_moved_heats(self, moved, heat)
@@ -96,27 +99,31 @@ contains
 
    !> Currents that leave the nodes beyond those that the matrix of the currents has, which are at fixed resistances of
    !> temperatures that are linear between the nodes.
-   subroutine add_beyond_linear(self, potential, dcurrent, leaving)
+   subroutine add_beyond_linear(self, potential, dcurrent, accuracy, leaving)
       type(contact_heat_t), intent(in) :: self
       !> Changes at the nodes (n_nodes) [V], and of the currents (contacts) [A]
       real(dp), intent(in) :: potential(:), dcurrent(:)
+      !> Of currents, relative
+      real(dp), intent(in) :: accuracy
       !> (n_nodes) [A]
       real(dp), intent(inout) :: leaving(:)
       real(dp), dimension(size(self%conductors%resistance)) :: there, unused
       real(dp) :: rise(2, size(there))
 
       if (size(there) == 0) return
-      call self%linear_conductors%currents(self%conductors%voltages(potential), there, rise, unused)
+      call self%linear_conductors%currents(self%conductors%voltages(potential), there, rise, unused, accuracy)
       call self%conductors%add_beyond(0*there, dcurrent(:size(there)) - there, leaving)
    end subroutine add_beyond_linear
 
    !> `(R + A) dI = N_V dV - dA I`
-   subroutine change_currents(self, potential, temperature, moved, change)
+   subroutine change_currents(self, potential, temperature, moved, accuracy, change)
       type(contact_heat_t), intent(in) :: self
       !> Changes at the nodes (n_nodes) [V], [K]
       real(dp), intent(in) :: potential(:), temperature(:)
       !> Not allocated: none moves
       type(moved_t), allocatable, intent(in) :: moved
+      !> Of the currents, relative
+      real(dp), intent(in) :: accuracy
       type(change_t), intent(inout) :: change
       real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
       real(dp) :: rise(2, size(self%conductors%resistance)), warmer(2)
@@ -131,7 +138,7 @@ contains
          voltage(i) = voltage(i) + self%potential_rise(1, i)*warmer(1) - self%potential_rise(2, i)*warmer(2)
       end do
       if (allocated(moved)) voltage = voltage + voltage_by_motions(self, moved)
-      call self%conductors%currents(voltage, change%current(:n), rise, unused)
+      call self%conductors%currents(voltage, change%current(:n), rise, unused, accuracy)
    end subroutine change_currents
 
    !> Change of the temperature at both places of a contact, linear between the nodes (2) [K].

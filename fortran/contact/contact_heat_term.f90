@@ -376,10 +376,12 @@ contains
    end function has_mutual_tangent
 
    !> The whole tangent less what the matrix has of it.
-   subroutine add_mutual_tangent(self, group, value, force)
+   subroutine add_mutual_tangent(self, group, accuracy, value, force)
       class(contact_heat_term_t), intent(in) :: self
       !> One of the groups of litz_fields
       integer, intent(in) :: group
+      !> Of what is solved for within, relative
+      real(dp), intent(in) :: accuracy
       !> (n_slots, n_nodes)
       real(dp), intent(in) :: value(:, :)
       !> (n_slots, n_nodes)
@@ -390,7 +392,7 @@ contains
       if (.not. self%has_mutual_tangent(group)) return
       heat = 0
       current = 0
-      call multiply_heat(self%heat, value, heat, current)
+      call multiply_heat(self%heat, value, accuracy, heat, current)
       do i = 1, size(self%heat%contacts)
          associate (nodes => self%heat%contacts(i)%nodes)
             heat(nodes(:2)) = heat(nodes(:2)) - own_heat(i, nodes, 1)

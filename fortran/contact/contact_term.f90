@@ -247,17 +247,19 @@ contains
       has_mutual_tangent = group == group_transport .and. self%contact%shared%present
    end function has_mutual_tangent
 
-   subroutine add_mutual_tangent(self, group, value, force)
+   subroutine add_mutual_tangent(self, group, accuracy, value, force)
       class(contact_term_t), intent(in) :: self
       !> One of the groups of litz_fields
       integer, intent(in) :: group
+      !> Of what is solved for within, relative
+      real(dp), intent(in) :: accuracy
       !> (n_slots, n_nodes)
       real(dp), intent(in) :: value(:, :)
       !> (n_slots, n_nodes)
       real(dp), intent(inout) :: force(:, :)
 
       if (.not. self%has_mutual_tangent(group)) return
-      call self%contact%shared%add_product(value(potential_slots(1), :), force(potential_slots(1), :))
+      call self%contact%shared%add_product(value(potential_slots(1), :), accuracy, force(potential_slots(1), :))
    end subroutine add_mutual_tangent
 
    !> Wires side by side that come together have points before they touch.

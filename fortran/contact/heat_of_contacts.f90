@@ -29,8 +29,9 @@ module litz_heat_of_contacts
    !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
    real(dp), parameter :: accurate = 1.0e-13_dp
    integer, parameter :: max_iterations = 50
-   !> Residual of its linear equations, and products with their matrix at most
-   real(dp), parameter :: linear_accuracy = 1.0e-14_dp
+   !> Residual of its linear equations, over that change and over that of their start, at least and at most; products
+   !> with their matrix at most
+   real(dp), parameter :: part_of_change = 0.01_dp, linear_accuracy = 1.0e-14_dp, least_accuracy = 1.0e-4_dp
    integer, parameter :: max_products = 400
    !> 1 - xi^2 of a contact that is as good as at a node, where nothing settles
    real(dp), parameter :: least_rise = 1.0e-6_dp
@@ -95,6 +96,8 @@ module litz_heat_of_contacts
    !> `1 - A d(q + v)/dtau` of (1).
    type, extends(linear_map_t) :: bulk_map_t
       type(contact_heat_t), pointer :: heat => null()
+      !> Of the currents that follow
+      real(dp) :: accuracy = 0
    contains
       procedure :: apply => apply_bulk_map
       procedure :: precondition => precondition_bulk_map
@@ -266,6 +269,7 @@ contains
       real(dp), dimension(2, size(self%contacts)) :: linear, base, left, step
       type(bulk_map_t) :: map
       type(followed_t) :: followed
+      real(dp) :: enough
       integer :: i, side, iteration
 
       map%heat => self
@@ -288,13 +292,15 @@ contains
          call find_state(self, voltage, iteration == 1)
          if (.not. self%is_solved) return
          left = base + rise_by(self%elements, self%ends, self%heat + self%between) - self%bulk
-         call solve_bulks(map, left, step)
-         if (.not. maxval(abs(step)) > accurate*maxval(abs(self%bulk - self%zero))) exit
+         enough = accurate*maxval(abs(self%bulk - self%zero))
+         call solve_bulks(map, left, max(linear_accuracy, min(least_accuracy, part_of_change*enough &
+            /max(norm2(left), tiny(left)))), step)
+         if (.not. maxval(abs(step)) > enough) exit
          call add_step(step)
       end do
       self%is_solved = iteration <= max_iterations .and. maxval(abs(step)) <= huge(1.0_dp)
       ! the heat that belongs to the last step, which is lost in the round-off of temperatures where spots conduct well
-      call follow(self, step, followed)
+      call follow(self, step, least_accuracy, followed)
       self%heat = self%heat + followed%heat
       self%rise = self%bulk - linear
 
@@ -364,15 +370,18 @@ contains
    end subroutine find_heats
 
    !> `(1 - A dq/dtau) x = b`
-   subroutine solve_bulks(map, b, x)
+   subroutine solve_bulks(map, b, accuracy, x)
       type(bulk_map_t), intent(inout) :: map
       !> (2, contacts) [K]
       real(dp), intent(in) :: b(:, :)
+      !> Residual over that of the start
+      real(dp), intent(in) :: accuracy
       !> (2, contacts) [K]
       real(dp), intent(out) :: x(:, :)
       real(dp) :: solution(size(b))
 
-      call gmres(map, reshape(b, [size(b)]), linear_accuracy, max_products, solution)
+      map%accuracy = accuracy
+      call gmres(map, reshape(b, [size(b)]), accuracy, max_products, solution)
       x = reshape(solution, shape(x))
    end subroutine solve_bulks
 
@@ -385,7 +394,7 @@ contains
 
       type(followed_t) :: followed
 
-      call follow(self%heat, reshape(x, [2, size(x)/2]), followed)
+      call follow(self%heat, reshape(x, [2, size(x)/2]), self%accuracy, followed)
       y = x - reshape(rise_by(self%heat%elements, self%heat%ends, followed%heat + followed%between), [size(x)])
    end subroutine apply_bulk_map
 
@@ -418,10 +427,12 @@ contains
    end function by_own_bulk
 
    !> What follows a change of the bulks at given nodal values.
-   subroutine follow(self, dbulk, followed)
+   subroutine follow(self, dbulk, accuracy, followed)
       type(contact_heat_t), intent(in) :: self
       !> (2, contacts) [K]
       real(dp), intent(in) :: dbulk(:, :)
+      !> Of the currents, relative
+      real(dp), intent(in) :: accuracy
       type(followed_t), intent(out) :: followed
       real(dp), dimension(size(self%conductors%resistance)) :: voltage, unused
       real(dp) :: rise(2, size(voltage)), of_others(2, size(self%contacts))
@@ -434,7 +445,7 @@ contains
       of_others = 0
       if (self%resistances_follow) then
          voltage = [(-dot_product(self%spots(i)%dvoltage, dbulk(:, i)), i=1, n)]
-         call self%conductors%currents(voltage, followed%current(:n), rise, unused)
+         call self%conductors%currents(voltage, followed%current(:n), rise, unused, accuracy)
          of_others(:, :n) = self%conductors%mutual%voltages_in_wires(followed%current(:n))
          do k = 1, size(self%elements)
             if (self%elements(k)%resistance > 0) call change_between(self, k, 0.0_dp, 0.0_dp, followed%current, &

@@ -112,38 +112,22 @@ contains
       !> (2, contacts) [W]
       real(dp), intent(in) :: heat(:, :)
       real(dp) :: rise(2, size(heat, 2))
-      integer :: k
+      real(dp), dimension(size(ends%xi)) :: entering, above
+      integer :: k, i
 
-      rise = 0
+      do i = 1, size(entering)
+         entering(i) = heat(ends%side(i), ends%contact(i))
+      end do
       !$omp parallel do schedule(static) if (size(elements) >= worth_threads)
       do k = 1, size(elements)
-         call set_rise(elements(k)%heat_series, ends, k, heat, rise)
+         call potential_rise(elements(k)%heat_series, ends%xi(ends%first(k):ends%first(k + 1) - 1), &
+            entering(ends%first(k):ends%first(k + 1) - 1), above(ends%first(k):ends%first(k + 1) - 1))
       end do
       !$omp end parallel do
+      do i = 1, size(above)
+         rise(ends%side(i), ends%contact(i)) = above(i)
+      end do
    end function rise_by
-
-   !> The same in one element.
-   pure subroutine set_rise(scale, ends, k, heat, rise)
-      !> L0/(4 lambda A) of the element [K/W]
-      real(dp), intent(in) :: scale
-      type(element_ends_t), intent(in) :: ends
-      !> Number among the elements with contacts
-      integer, intent(in) :: k
-      !> (2, contacts) [W]
-      real(dp), intent(in) :: heat(:, :)
-      !> (2, contacts) [K]; set at the contacts of this element, on its side
-      real(dp), intent(inout) :: rise(:, :)
-      real(dp), dimension(ends%first(k + 1) - ends%first(k)) :: entering, above
-      integer :: i
-
-      associate (first => ends%first(k), last => ends%first(k + 1) - 1)
-         entering = [(heat(ends%side(i), ends%contact(i)), i=first, last)]
-         call potential_rise(scale, ends%xi(first:last), entering, above)
-         do i = first, last
-            rise(ends%side(i), ends%contact(i)) = above(i - first + 1)
-         end do
-      end associate
-   end subroutine set_rise
 
    !> Heat that enters elements at their nodes, as heat that leaves these is positive.
    pure subroutine add_at_nodes(elements, at_nodes, leaving)

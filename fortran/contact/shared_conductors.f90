@@ -15,8 +15,8 @@ module litz_shared_conductors
    private
    public :: shared_conductors_t, collect_shared
 
-   !> The squared error of the conjugate gradients over that of the start; and their steps at most
-   real(dp), parameter :: accurate = (1.0e-15_dp)**2
+   !> The error of the conjugate gradients over that of the start, if nothing else is said; and their steps at most
+   real(dp), parameter :: accurate = 1.0e-15_dp
    integer, parameter :: max_steps = 200
 
    type :: shared_conductors_t
@@ -80,7 +80,7 @@ contains
    end function voltages
 
    !> Solve `(R + A) I = voltage` by conjugate gradients with the diagonal as preconditioner.
-   subroutine currents(self, voltage, current, rise, of_others)
+   subroutine currents(self, voltage, current, rise, of_others, accuracy)
       class(shared_conductors_t), intent(in) :: self
       !> (n) [V]
       real(dp), intent(in) :: voltage(:)
@@ -90,12 +90,15 @@ contains
       real(dp), intent(out) :: rise(:, :)
       !> What other contacts add to the voltage of each contact (n) [V]
       real(dp), intent(out) :: of_others(:)
+      !> Error over that of the start; absent: to round-off
+      real(dp), intent(in), optional :: accuracy
       real(dp), dimension(size(voltage)) :: left, direction, product
       real(dp) :: error, error_before, error_allowed, step
       integer :: k
 
       current = voltage/self%diagonal
-      error_allowed = accurate*sum(voltage*current)
+      error_allowed = accurate**2*sum(voltage*current)
+      if (present(accuracy)) error_allowed = max(error_allowed, accuracy**2*sum(voltage*current))
       call multiply(self, current, product, rise, of_others)
       left = voltage - product
       direction = left/self%diagonal
@@ -122,41 +125,25 @@ contains
       real(dp), intent(out) :: product(:), rise(:, :)
       !> What other contacts add to the voltage of each contact (n) [V]
       real(dp), intent(out) :: of_others(:)
-      integer :: k
+      real(dp), dimension(size(self%ends%xi)) :: entering, above
+      integer :: k, i
 
+      ! the current leaves the barred wire
+      entering = merge(-1, 1, self%ends%side == 1)*current(self%ends%contact)
       !$omp parallel do schedule(static) if (size(self%scale) >= worth_threads)
       do k = 1, size(self%scale)
-         call set_rise(self, k, current, rise)
+         call potential_rise(self%scale(k), self%ends%xi(self%ends%first(k):self%ends%first(k + 1) - 1), &
+            entering(self%ends%first(k):self%ends%first(k + 1) - 1), &
+            above(self%ends%first(k):self%ends%first(k + 1) - 1))
       end do
       !$omp end parallel do
+      do i = 1, size(above)
+         rise(self%ends%side(i), self%ends%contact(i)) = above(i)
+      end do
       product = self%resistance*current - rise(1, :) + rise(2, :)
       of_others = self%mutual%voltages(current)
       product = product + of_others
    end subroutine multiply
-
-   !> The rise of the potential at the contacts of one element, by their currents.
-   !>
-   !> A procedure of its own, because gfortran (12) shares the bounds of arrays of a BLOCK among the threads.
-   pure subroutine set_rise(self, k, current, rise)
-      type(shared_conductors_t), intent(in) :: self
-      !> Number among the elements with contacts
-      integer, intent(in) :: k
-      !> From the barred to the unbarred wire (n) [A]
-      real(dp), intent(in) :: current(:)
-      !> (2, n) [V]; set at the contacts of this element, on its side
-      real(dp), intent(inout) :: rise(:, :)
-      real(dp), dimension(self%ends%first(k + 1) - self%ends%first(k)) :: entering, above
-      integer :: i
-
-      associate (ends => self%ends, first => self%ends%first(k), last => self%ends%first(k + 1) - 1)
-         ! the current leaves the barred wire
-         entering = merge(-1, 1, ends%side(first:last) == 1)*current(ends%contact(first:last))
-         call potential_rise(self%scale(k), ends%xi(first:last), entering, above)
-         do i = first, last
-            rise(ends%side(i), ends%contact(i)) = above(i - first + 1)
-         end do
-      end associate
-   end subroutine set_rise
 
    !> Add to `y` the currents that leave the nodes beyond those of the contact elements, `N_V^T (I - D^-1 N_V V)`.
    pure subroutine add_beyond(self, voltage, current, y)
@@ -175,17 +162,19 @@ contains
    end subroutine add_beyond
 
    !> `y = y + N_V^T ((R + A)^-1 - D^-1) N_V V`
-   subroutine add_product(self, potential, y)
+   subroutine add_product(self, potential, accuracy, y)
       class(shared_conductors_t), intent(in) :: self
       !> (n_nodes) [V]
       real(dp), intent(in) :: potential(:)
+      !> Of the currents, relative
+      real(dp), intent(in) :: accuracy
       !> (n_nodes) [A]
       real(dp), intent(inout) :: y(:)
       real(dp) :: voltage(size(self%resistance)), current(size(self%resistance)), rise(2, size(self%resistance)), &
          of_others(size(self%resistance))
 
       voltage = self%voltages(potential)
-      call self%currents(voltage, current, rise, of_others)
+      call self%currents(voltage, current, rise, of_others, accuracy)
       call self%add_beyond(voltage, current, y)
    end subroutine add_product
 

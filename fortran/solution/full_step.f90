@@ -17,6 +17,8 @@ module litz_full_step
    !> Residual of the linear equations over that of the start, and over what is allowed, which is enough; products at
    !> most
    real(dp), parameter :: accurate = 1.0e-4_dp, enough = 0.1_dp
+   !> Of what a product is solved for
+   real(dp), parameter :: accuracy = 0.01_dp*accurate
    integer, parameter :: max_products = 80
 
    type, extends(linear_map_t) :: full_map_t
@@ -142,7 +144,7 @@ contains
       integer :: i
 
       do i = 1, size(problem%terms)
-         call problem%terms(i)%term%add_mutual_tangent(group_transport, value, force)
+         call problem%terms(i)%term%add_mutual_tangent(group_transport, accuracy, value, force)
       end do
       call problem%iterate%constraints%collect(force, 1)
    end subroutine add_beyond_blocks

@@ -17,6 +17,8 @@ module litz_group_solution
    !> their steps at most
    real(dp), parameter :: accurate_residual = 1.0e-12_dp, accurate_in_turn = 1.0e-4_dp
    integer, parameter :: max_products = 200
+   !> Of what a product is solved for: over those errors
+   real(dp), parameter :: part_of_error = 0.01_dp
 
    !> The whole tangent of a group, with its own block of the matrix as preconditioner.
    type, extends(linear_map_t) :: group_map_t
@@ -26,6 +28,8 @@ module litz_group_solution
       logical, allocatable :: is_held(:)
       !> What residuals are measured by (equations of the group)
       real(dp), allocatable :: scale(:)
+      !> Residual over that of the start
+      real(dp) :: accuracy = accurate_residual
       !> Of a solution with the block
       type(error_t), allocatable :: error
    contains
@@ -119,8 +123,8 @@ contains
          map%scale = problem%equations%gather(group, scale)
          ! a field in which nothing flows yet has no measure of its own
          where (.not. map%scale > 0) map%scale = 1
-         call gmres(map, b/map%scale, merge(accurate_in_turn, accurate_residual, problem%scheme%is_swept), &
-            max_products, x)
+         if (problem%scheme%is_swept) map%accuracy = accurate_in_turn
+         call gmres(map, b/map%scale, map%accuracy, max_products, x)
          if (allocated(map%error)) call move_alloc(map%error, error)
       end if
    end subroutine solve_for_group
@@ -132,7 +136,7 @@ contains
       !> (equations of the group)
       real(dp), intent(out) :: y(:)
 
-      call multiply(self%problem, self%group, x, y)
+      call multiply(self%problem, self%group, part_of_error*self%accuracy, x, y)
       where (self%is_held) y = x
       y = y/self%scale
    end subroutine apply_tangent
@@ -172,7 +176,7 @@ contains
       defect_allowed = accurate*defect
       do k = 1, max_steps
          if (.not. defect > defect_allowed) exit
-         call multiply(problem, group, direction, product)
+         call multiply(problem, group, part_of_error*sqrt(accurate), direction, product)
          step = defect/dot_product(direction, product)
          x = x + step*direction
          left = left - step*product
@@ -185,10 +189,12 @@ contains
    end subroutine solve_symmetric
 
    !> The whole tangent of a group times values.
-   subroutine multiply(problem, group, v, y)
+   subroutine multiply(problem, group, accuracy, v, y)
       type(problem_t), intent(in) :: problem
       !> One of the groups of litz_fields
       integer, intent(in) :: group
+      !> Of what is solved for within, relative
+      real(dp), intent(in) :: accuracy
       !> Values of the free unknowns (equations of the group)
       real(dp), intent(in) :: v(:)
       !> Forces of the free unknowns (equations of the group)
@@ -202,7 +208,7 @@ contains
       call problem%equations%spread_to_nodes(group, v, value)
       call problem%iterate%constraints%carry(value)
       do i = 1, size(problem%terms)
-         call problem%terms(i)%term%add_mutual_tangent(group, value, force)
+         call problem%terms(i)%term%add_mutual_tangent(group, accuracy, value, force)
       end do
       call problem%iterate%constraints%collect(force, 1)
       y = y + problem%equations%gather(group, force)

@@ -168,10 +168,12 @@ contains
    end function has_mutual_tangent
 
    !> Add that tangent times values.
-   subroutine add_mutual_tangent(self, group, value, force)
+   subroutine add_mutual_tangent(self, group, accuracy, value, force)
       class(term_t), intent(in) :: self
       !> One of the groups of litz_fields
       integer, intent(in) :: group
+      !> Of what is solved for within, relative
+      real(dp), intent(in) :: accuracy
       !> (n_slots, n_nodes)
       real(dp), intent(in) :: value(:, :)
       !> (n_slots, n_nodes)

@@ -1111,7 +1111,7 @@ contains
       mutual = 0
       do i = 1, n_groups
          do j = 1, size(problem%terms)
-            call problem%terms(j)%term%add_mutual_tangent(i, v, mutual)
+            call problem%terms(j)%term%add_mutual_tangent(i, 1.0e-14_dp, v, mutual)
          end do
       end do
       call problem%iterate%constraints%collect(mutual, 1)
