@@ -86,7 +86,8 @@ contains
          call change_currents(self, potential, temperature, moved, accuracy, change)
          call change_heats(self, potential, temperature, moved, change)
       end associate
-      call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), accuracy, dbulk)
+      call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), accuracy, &
+         dbulk)
       call follow(self, dbulk, accuracy, followed)
       call add_entering(self, change%heat + followed%heat + change%between + followed%between, &
          change%at_nodes + followed%at_nodes, heat)

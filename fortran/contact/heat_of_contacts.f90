@@ -14,7 +14,8 @@ module litz_heat_of_contacts
    use litz_gmres, only: linear_map_t, gmres
    use litz_heated_contacts, only: heated_contact_t, contact_rows_t, left_of_settled
    use litz_heat_within, only: slow_and_fast
-   use litz_heated_elements, only: heated_element_t, n_parts, currents_along, move_parts, place_heat, rise_by
+   use litz_heated_elements, only: heated_element_t, n_parts, heat_of_parts, change_of_parts, &
+      place_heat, rise_by
    use litz_hot_spot, only: hot_spot_t, hot_spot, hot_ok, by_volt
    use litz_kinds, only: dp
    use litz_passed_spots, only: passed_spot_t, cold_spot, warmed_spot
@@ -248,14 +249,9 @@ contains
       class(contact_heat_t), intent(inout) :: self
       !> Number among the elements with contacts
       integer, intent(in) :: k
-      real(dp), dimension(n_parts(self%ends, k)) :: length, along, made
-      real(dp) :: even
+      real(dp) :: made(n_parts(self%ends, k))
 
-      associate (element => self%elements(k))
-         even = self%drop(k)/element%resistance
-         call currents_along(self%ends, k, even, self%current, length, along)
-         made = element%heat_fraction*2*element%series*length*(along**2 - even**2)
-      end associate
+      made = heat_of_parts(self%elements(k), self%ends, k, self%drop(k), self%current)
       call place_heat(self%ends, k, made, self%between, self%at_nodes(:, k))
       self%between_contacts(k) = sum(made)
    end subroutine find_heat_in_element
@@ -471,18 +467,10 @@ contains
       real(dp), intent(inout) :: between(:, :), at_nodes(2)
       !> How the places move (2, contacts); absent: they stay
       real(dp), intent(in), optional :: dplace(:, :)
-      real(dp), dimension(n_parts(self%ends, k)) :: length, along, dlength, dalong, dmade
-      real(dp) :: even
+      real(dp) :: dmade(n_parts(self%ends, k))
 
-      associate (element => self%elements(k))
-         even = self%drop(k)/element%resistance
-         call currents_along(self%ends, k, even, self%current, length, along)
-         call currents_along(self%ends, k, deven, dcurrent, length, dalong)
-         dlength = 0
-         if (present(dplace)) call move_parts(self%ends, k, self%current, dplace, dlength, dalong)
-         dmade = element%heat_fraction*2*element%series*(length*(2*(along*dalong - even*deven) &
-            + (along**2 - even**2)*dresistance) + dlength*(along**2 - even**2))
-      end associate
+      dmade = change_of_parts(self%elements(k), self%ends, k, self%drop(k), self%current, deven, dresistance, &
+         dcurrent, dplace)
       call place_heat(self%ends, k, dmade, between, at_nodes)
    end subroutine change_between
 

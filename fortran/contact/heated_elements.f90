@@ -9,7 +9,7 @@ module litz_heated_elements
    use litz_potential_rise, only: potential_rise, moved_rise
    implicit none
    private
-   public :: heated_element_t, n_parts, currents_along, move_parts, place_heat, add_at_nodes, rise_by, moved_rise_by
+   public :: heated_element_t, n_parts, heat_of_parts, change_of_parts, place_heat, add_at_nodes, rise_by, moved_rise_by
 
    !> An element on which contacts are.
    type :: heated_element_t
@@ -84,6 +84,46 @@ contains
       dlength = [dxi, 0.0_dp] - [0.0_dp, dxi]
       dalong = dalong + sum(dxi*entering)/2
    end subroutine move_parts
+
+   !> What the parts of an element between its contacts make beyond that of the element without them (parts) [W].
+   pure function heat_of_parts(element, ends, k, drop, current) result(made)
+      type(heated_element_t), intent(in) :: element
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> Voltage between the nodes [V], and currents of the contacts (contacts) [A]
+      real(dp), intent(in) :: drop, current(:)
+      real(dp), dimension(n_parts(ends, k)) :: made, length, along
+      real(dp) :: even
+
+      even = drop/element%resistance
+      call currents_along(ends, k, even, current, length, along)
+      made = element%heat_fraction*2*element%series*length*(along**2 - even**2)
+   end function heat_of_parts
+
+   !> How this changes with the currents (parts) [W].
+   pure function change_of_parts(element, ends, k, drop, current, deven, dresistance, dcurrent, dplace) result(dmade)
+      type(heated_element_t), intent(in) :: element
+      type(element_ends_t), intent(in) :: ends
+      !> Number among the elements with contacts
+      integer, intent(in) :: k
+      !> Voltage between the nodes [V], and currents of the contacts (contacts) [A]
+      real(dp), intent(in) :: drop, current(:)
+      !> Changes of the current without contacts [A], of ln(rho), and of the currents of the contacts (contacts) [A]
+      real(dp), intent(in) :: deven, dresistance, dcurrent(:)
+      !> How the places move (2, contacts); absent: they stay
+      real(dp), intent(in), optional :: dplace(:, :)
+      real(dp), dimension(n_parts(ends, k)) :: dmade, length, along, dlength, dalong
+      real(dp) :: even
+
+      even = drop/element%resistance
+      call currents_along(ends, k, even, current, length, along)
+      call currents_along(ends, k, deven, dcurrent, length, dalong)
+      dlength = 0
+      if (present(dplace)) call move_parts(ends, k, current, dplace, dlength, dalong)
+      dmade = element%heat_fraction*2*element%series*(length*(2*(along*dalong - even*deven) &
+         + (along**2 - even**2)*dresistance) + dlength*(along**2 - even**2))
+   end function change_of_parts
 
    !> Half of what a part of an element makes enters at either end of it.
    pure subroutine place_heat(ends, k, made, at_contacts, at_nodes)
