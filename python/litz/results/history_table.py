@@ -39,7 +39,11 @@ def history_table(results: ResultFile) -> str:
 
 def _kinds(contacts: Table) -> list[str]:
     """What the number of contacts and their force are the sums of, if not of crossings alone."""
-    names = {"crossings": "crossings", "zones": "zones of contact along lines", "on_surfaces": "elements on rigid surfaces"}
+    names = {
+        "crossings": "crossings",
+        "zones": "zones of contact along lines",
+        "on_surfaces": "elements on rigid surfaces",
+    }
     found = [text for name, text in names.items() if contacts[name].any()]
     if not found or found == ["crossings"]:
         return []
