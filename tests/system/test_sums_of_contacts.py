@@ -107,6 +107,18 @@ def test_the_table_of_the_history_says_what_it_counts(printed_and_results):
     assert [float(cell) for cell in last.split()[1:3]] == pytest.approx([table["contacts"][-1], table["force"][-1]])
 
 
+def test_the_table_of_the_history_has_zeros_for_round_off(printed_and_results):
+    """The supports do not push along the wires, by symmetry; the file of the history has what the iteration leaves."""
+    results = printed_and_results[1]
+    _, heads, _, *rows = (line.split() for line in history_table(results).splitlines())
+    assert heads[-9:] == ["RF1", "sum", "ALL", "RF2", "sum", "ALL", "RF3", "sum", "ALL"]
+    along_x, along_y, along_z = (results.history[f"RF{i} sum ALL"] for i in (1, 2, 3))
+    assert 0 < np.abs(np.append(along_x, along_y)).max() < 1e-9 * np.abs(along_z).max()
+    for row, force in zip(rows, along_z, strict=True):
+        assert row[-3:-1] == ["0", "0"]
+        assert float(row[-1]) == pytest.approx(force, rel=1e-6)
+
+
 def test_the_summary_has_contacts_of_wires_and_the_force_on_the_surface(printed_and_results):
     results = printed_and_results[1]
     text = " ".join(results.summary().split())

@@ -1,5 +1,7 @@
 """The history of a run as a table to read."""
 
+import re
+
 import numpy as np
 
 from ..base.table import Table
@@ -8,6 +10,9 @@ from .result_file import ResultFile
 
 _MAX_COLUMNS = 6
 _MAX_ROWS = 40
+#: Parts of the largest value below which there is only round-off: what the iteration leaves of the components of a vector,
+#: and of other quantities, which may grow by many orders of magnitude
+_OF_A_VECTOR, _OF_A_COLUMN = 1e-9, 1e-13
 
 
 def history_table(results: ResultFile) -> str:
@@ -20,7 +25,8 @@ def history_table(results: ResultFile) -> str:
     names = [name for name in history if name not in ("step", "increment", "time")]
     shown = names[:_MAX_COLUMNS]
     contacts = contacts_over_time(results, history["step"], history["increment"])
-    columns = [history["time"], contacts["contacts"], contacts["force"], *(history[name] for name in shown)]
+    clean = _without_round_off({name: history[name] for name in names})
+    columns = [history["time"], contacts["contacts"], contacts["force"], *(clean[name] for name in shown)]
     heads = ["time", "contacts", "contact force", *shown]
     units = [results.unit_labels["s"], "", results.unit_labels["N"], *(history.units[name] for name in shown)]
 
@@ -35,6 +41,20 @@ def history_table(results: ResultFile) -> str:
     if len(shown) < len(names):
         lines.append(f"{len(names) - len(shown)} more columns are in {results.path.stem}_history.csv")
     return "\n".join(lines) + "\n"
+
+
+def _without_round_off(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Zeros for what is round-off of the largest value over time, or of the largest component of the same vector."""
+    vectors = {name: re.sub(r"^([A-Z]+)\d", r"\1", name) for name in columns}
+    largest: dict[str, float] = {}
+    for name, values in columns.items():
+        size = float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
+        largest[vectors[name]] = max(largest.get(vectors[name], 0.0), size)
+    clean = {}
+    for name, values in columns.items():
+        part = _OF_A_COLUMN if name == vectors[name] else _OF_A_VECTOR
+        clean[name] = np.where(np.abs(values) < part * largest[vectors[name]], 0.0, values)
+    return clean
 
 
 def _kinds(contacts: Table) -> list[str]:
