@@ -70,8 +70,8 @@ def sweep(
         Values of each parameter, of which all combinations are run; or the combinations one by one.
     collect : callable, optional
         What goes into the table: a function of the `Results` that returns numbers by name. Left out: `contacts`, their number
-        at the end as the lines of a run have it, `contact force`, the sum of their forces, also on rigid surfaces, the last row of the history, and the `conductance A to B` of each
-        `resistance A to B` in it.
+        at the end as the lines of a run have it, `contact force`, the sum of their forces, also on rigid surfaces, the last row
+        of the history, and the `conductance A to B` of each `resistance A to B` in it.
     directory : path
         Directory of decks and results, with a subdirectory for each run.
     processes : int, optional
