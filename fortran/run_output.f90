@@ -126,7 +126,7 @@ contains
       if (self%quiet) return
       call self%progress%clear
       if (report%converged) self%progress%done = report%time
-      call print_increment(problem, report)
+      call print_increment(report)
       if (report%converged) call print_contacts(problem)
    end subroutine output_attempt
 

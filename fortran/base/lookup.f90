@@ -164,26 +164,38 @@ contains
    end function name_map_name
 
    !> What else may have been meant, as the end of a sentence: the nearest name, or all when they are few.
-   pure function name_map_hint(self, name) result(hint)
+   pure function name_map_hint(self, name, others) result(hint)
       class(name_map_t), intent(in) :: self
       !> The name that was not found
       character(len=*), intent(in) :: name
+      !> More names that it may be, listed after these
+      type(name_map_t), intent(in), optional :: others
       character(len=:), allocatable :: hint
-      character(len=longest_hint) :: names(self%n)
-      integer :: i
+      character(len=longest_hint), allocatable :: names(:)
 
-      do i = 1, self%n
-         names(i) = self%entries(i)%name
-      end do
+      names = all_names(self)
+      if (present(others)) names = [names, all_names(others)]
       hint = nearest_word(name, names)
       if (len(hint) > 0) then
          hint = '; did you mean '//hint//'?'
-      else if (self%n == 0) then
+      else if (size(names) == 0) then
          hint = '; none is defined'
-      else if (self%n <= max_listed) then
+      else if (size(names) <= max_listed) then
          hint = '; there is '//join_words(names, 'and')
       end if
    end function name_map_hint
+
+   !> Names in the order of the `put`s, (n).
+   pure function all_names(map) result(names)
+      class(name_map_t), intent(in) :: map
+      character(len=longest_hint), allocatable :: names(:)
+      integer :: i
+
+      allocate (names(map%n))
+      do i = 1, map%n
+         names(i) = map%entries(i)%name
+      end do
+   end function all_names
 
    pure integer function name_slot(self, name) result(slot)
       class(name_map_t), intent(in) :: self

@@ -197,6 +197,7 @@ contains
       do i = 1, size(points)
          associate (point => points(i))
             if (point%closed) status%active = status%active + 1
+            status%force = status%force + point%force
             ! which points of a line are closed follows from their gaps alone
             if (point%line_place == 0 .and. point%weight > 0 .and. point%predicted) then
                ! one that is let go because it would pull, with its overlap, is as predicted

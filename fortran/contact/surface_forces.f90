@@ -275,18 +275,20 @@ contains
       end do
    end subroutine cell_forces
 
-   !> Stiffness in the tangent, per length [N/m^2]. Metal that yields is the softer the deeper it is pressed: where it
-   !> has touched against what the last step predicted the tangent would lead off it again, and the secant does not.
+   !> Stiffness in the tangent, per length [N/m^2]. Where a wire has touched against what the last step predicted, that
+   !> step knew nothing of the surface and led far too deep into it: the secant leads from there to the overlap that
+   !> carries the load. The tangent would lead only a part of the way, as elastic metal is the stiffer the deeper it is
+   !> pressed, or off the surface again, as metal that yields is the softer.
    pure real(dp) function stiffness_of(cell, point) result(stiffness)
       type(surface_cell_t), intent(in) :: cell
       type(surface_point_t), intent(in) :: point
       real(dp) :: depth
 
       stiffness = point%normal%stiffness
-      if (point%at_end .or. .not. cell%yielding%yields .or. abs(cell%predicted) > 0) return
+      if (point%at_end .or. abs(cell%predicted) > 0) return
       depth = 0
-      if (point%place > 0) depth = cell%yielding%dent(point%place)%depth
-      stiffness = max(stiffness, point%normal%force/(-point%gap - depth))
+      if (cell%yielding%yields .and. point%place > 0) depth = cell%yielding%dent(point%place)%depth
+      stiffness = point%normal%force/(-point%gap - depth)
    end function stiffness_of
 
    !> Force after a linear step [N].

@@ -362,8 +362,7 @@ contains
 
       associate (cells => self%cells)
          status%active = status%active + count(cells%force > 0)
-         status%new = status%new + count(cells%force > 0 .and. abs(cells%predicted) <= 0)
-         status%lost = status%lost + count(.not. cells%force > 0 .and. cells%predicted > 0)
+         status%force = status%force + sum(cells%force)
          status%penetration = max(status%penetration, maxval(-cells%overlap%gap))
       end associate
    end subroutine count_status

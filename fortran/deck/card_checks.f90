@@ -4,9 +4,9 @@ module litz_card_checks
    use litz_kinds, only: dp
    use litz_text, only: squeezed, to_text, join_words, nearest_word, word_length
    use litz_deck, only: token_t
-   use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, place_model, &
+   use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, keyword_meant, place_model, &
       place_step, place_begins_step, kind_flag, kind_choice
-   use litz_foreign_words, only: advice_about, role_of, role_idle
+   use litz_foreign_words, only: advice_about, role_of, role_idle, role_mesh
    use litz_reader, only: reader_t, fail_at, warn_of_idle, applies, has_choice
    use litz_value_checks, only: check_value
    implicit none
@@ -59,8 +59,26 @@ contains
          call warn_of_idle(self, card, token, message)
       else
          call fail_at(self, token, message)
+         call note_lost_mesh(self, word)
       end if
    end subroutine unknown_keyword
+
+   !> Nodes and elements that an unknown keyword was to give are not told to be missing.
+   pure subroutine note_lost_mesh(self, word)
+      type(reader_t), intent(inout) :: self
+      !> The keyword as the user wrote it
+      character(len=*), intent(in) :: word
+      character(len=:), allocatable :: meant
+
+      if (role_of(word) == role_mesh) then
+         self%broken_nodes = .true.
+         self%broken_elements = .true.
+      else if (len(advice_about(word)) == 0) then
+         meant = keyword_meant(self%table, word)
+         self%broken_nodes = self%broken_nodes .or. meant == 'NODE'
+         self%broken_elements = self%broken_elements .or. any(meant == [character(len=7) :: 'NODE', 'ELEMENT'])
+      end if
+   end subroutine note_lost_mesh
 
    !> Model part first, then steps, each from *STEP to *END STEP. Cards out of place are not read further.
    subroutine check_steps(self)

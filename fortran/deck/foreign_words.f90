@@ -6,11 +6,11 @@ module litz_foreign_words
    implicit none
    private
    public :: foreign_word_t, foreign_words, foreign_keyword, advice_about, advice_about_more
-   public :: role_of, role_procedure, role_idle
+   public :: role_of, role_procedure, role_idle, role_mesh
 
-   !> What a keyword that litz lacks is about: the model, the analysis of a step, or what
-   !> changes no result of litz, such as output: it is ignored with a warning
-   integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2
+   !> What a keyword that litz lacks is about: the model, the analysis of a step, what changes no result of litz, such as
+   !> output: it is ignored with a warning, or nodes and elements
+   integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2, role_mesh = 3
 
    !> Lists are separated by bars.
    type :: foreign_word_t
@@ -58,7 +58,8 @@ module litz_foreign_words
       'the program reads flat decks: `litz run` and `litz check` of the Python package place the instances, and'// &
       ' `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NGEN|NFILL|NCOPY|NMAP|ELGEN|ELCOPY', '', '', &
-      'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh'), &
+      'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh', &
+      role_mesh), &
       foreign_word_t('SYSTEM', '', '', 'coordinates are global; *TRANSFORM gives supports and loads axes of their'// &
       ' own'), &
       foreign_word_t('NORMAL', '', '', 'leave it out: the second data line of'// &

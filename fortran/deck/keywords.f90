@@ -14,7 +14,7 @@ module litz_keywords
    public :: kind_flag, kind_integer, kind_real, kind_choice, kind_name, kind_item, kind_file, kind_text
    public :: limit_none, limit_positive, limit_not_negative, limit_poisson, limit_unused, limit_one
    public :: describe_limit
-   public :: unknown_keyword_message, within_limit, largest_number, smallest_positive
+   public :: unknown_keyword_message, keyword_meant, within_limit, largest_number, smallest_positive
 
    !> Where a keyword may stand
    integer, parameter :: place_model = 1, place_step = 2, place_both = 3, place_begins_step = 4
@@ -143,8 +143,7 @@ contains
          return
       end if
       message = 'unknown keyword '//shown
-      nearest = nearest_word(squeezed(name), table%names())
-      if (index(name, '=') > 0) nearest = keyword_before_blank(table, name)
+      nearest = keyword_meant(table, name)
       if (len(nearest) == 0) then
          message = message//'; `litz keywords` lists all'
       else if (index(name, '=') > 0) then
@@ -153,6 +152,20 @@ contains
          message = message//'; did you mean *'//nearest//'?'
       end if
    end function unknown_keyword_message
+
+   !> The keyword that was probably meant; empty when none is near.
+   pure function keyword_meant(table, name) result(keyword)
+      type(keyword_table_t), intent(in) :: table
+      !> As the user wrote it
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: keyword
+
+      if (index(name, '=') > 0) then
+         keyword = keyword_before_blank(table, name)
+      else
+         keyword = nearest_word(squeezed(name), table%names())
+      end if
+   end function keyword_meant
 
    !> The longest keyword with which a name begins, followed by a blank; empty when there is none.
    pure function keyword_before_blank(table, name) result(keyword)

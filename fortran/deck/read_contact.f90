@@ -370,8 +370,10 @@ contains
          call find_definition(self, self%interactions, 'surface interaction', parameter_of(self, card, 'INTERACTION'), &
             pair%interaction)
          pair%interference_fit = has_flag(self, card, 'INTERFERENCE FIT')
-         if (.not. has_data(self, card)) cycle
-         call read_line(self, card, self%deck%cards(card)%first_data, ok)
+         ok = has_data(self, card)
+         if (ok) call read_line(self, card, self%deck%cards(card)%first_data, ok)
+         ! what an unreadable pair names is not told to be of no use
+         self%surfaces%missed = self%surfaces%missed .or. .not. ok
          if (.not. ok) cycle
          if (names_surface(self)) then
             call read_surface_pair(self, card, pair%interaction, model)
@@ -379,8 +381,12 @@ contains
          end if
          call find_set(self, 'element', self%element_sets, self%values%token(1), pair%set_bar)
          pair%set = pair%set_bar
-         if (self%values%n > 1) call find_set(self, 'element', self%element_sets, self%values%token(2), pair%set)
-         if (pair%set_bar == 0 .or. pair%set == 0) cycle
+         if (self%values%n > 1) call find_set(self, 'element', self%element_sets, self%values%token(2), pair%set, &
+            or_surface=self%surfaces%names%n > 0)
+         if (pair%set_bar == 0 .or. pair%set == 0) then
+            self%surfaces%missed = .true.
+            cycle
+         end if
          call check_lines(self, card, model, pair)
          call check_friction_heat(self, card, model, pair)
          pair%line = self%deck%lines(self%deck%cards(card)%first_data)%number

@@ -219,14 +219,22 @@ contains
       type(reader_t), intent(in) :: self
       !> A definition, in capitals
       character(len=*), intent(in) :: name
-      integer :: card, i
+      type(token_t), allocatable :: values(:)
+      integer :: card, i, n
 
       may_be_used = .false.
       do card = 1, self%deck%n_cards
          if (self%spec(card) > 0) cycle
-         associate (parameters => self%deck%cards(card)%parameters)
-            do i = 1, size(parameters)
-               if (parameters(i)%has_value) may_be_used = may_be_used .or. name_of(self, parameters(i)%value) == name
+         associate (this => self%deck%cards(card))
+            do i = 1, size(this%parameters)
+               if (this%parameters(i)%has_value) may_be_used = may_be_used .or. &
+                  name_of(self, this%parameters(i)%value) == name
+            end do
+            if (this%last_data < this%first_data) cycle
+            ! as a contact pair names a surface
+            call self%deck%split(this%first_data, values, n)
+            do i = 1, n
+               may_be_used = may_be_used .or. name_of(self, values(i)) == name
             end do
          end associate
       end do
@@ -350,14 +358,16 @@ contains
    ! Definitions by name.
 
    !> What else the user may have meant.
-   pure function names_hint(self, names, token) result(hint)
+   pure function names_hint(self, names, token, others) result(hint)
       type(reader_t), intent(in) :: self
       type(name_map_t), intent(in) :: names
       type(token_t), intent(in) :: token
+      !> Names of another kind that are allowed, too
+      type(name_map_t), intent(in), optional :: others
       character(len=:), allocatable :: hint
 
       hint = ''
-      if (self%errors%count < max_hints) hint = names%hint(name_of(self, token))
+      if (self%errors%count < max_hints) hint = names%hint(name_of(self, token), others)
    end function names_hint
 
 end module litz_reader

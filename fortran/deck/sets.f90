@@ -313,7 +313,7 @@ contains
    end subroutine find_item
 
    !> A set by its name; 0 and an error when there is none.
-   subroutine find_set(self, what, builder, token, set)
+   subroutine find_set(self, what, builder, token, set, or_surface)
       type(reader_t), intent(inout) :: self
       !> `node` or `element`
       character(len=*), intent(in) :: what
@@ -321,8 +321,13 @@ contains
       type(token_t), intent(in) :: token
       !> Index of the set; 0 after an error
       integer, intent(out) :: set
+      !> A rigid surface could be named here as well, and was not
+      logical, intent(in), optional :: or_surface
+      logical :: with_surfaces
 
       set = 0
+      with_surfaces = .false.
+      if (present(or_surface)) with_surfaces = or_surface
       if (token%last < token%first) return
       set = builder%names%get(name_of(self, token))
       if (set > 0) return
@@ -330,8 +335,13 @@ contains
       ! surfaces, which contact pairs of other programs name
       if (what == 'element' .and. may_be_defined(self, 'NAME', token)) return
       if (is_known_as_missing()) return
-      call fail_at(self, token, 'there is no '//what//' set '//self%deck%shown(token)//other_kind()// &
-         names_hint(self, builder%names, token))
+      if (with_surfaces) then
+         call fail_at(self, token, 'there is no element set or rigid surface '//self%deck%shown(token)//other_kind()// &
+            names_hint(self, builder%names, token, self%surfaces%names))
+      else
+         call fail_at(self, token, 'there is no '//what//' set '//self%deck%shown(token)//other_kind()// &
+            names_hint(self, builder%names, token))
+      end if
 
    contains
 
@@ -355,6 +365,8 @@ contains
             other_kind = ' (there is an element set of this name)'
          else if (what == 'element' .and. self%node_sets%names%get(name_of(self, token)) > 0) then
             other_kind = ' (there is a node set of this name)'
+         else if (what == 'element' .and. self%surfaces%names%get(name_of(self, token)) > 0) then
+            other_kind = ' (there is a rigid surface of this name, which *CONTACT PAIR names after the wires)'
          else if (status == number_ok) then
             other_kind = ' (a name is needed here; a set may hold one '//what//')'
          end if

@@ -25,14 +25,12 @@ contains
    end subroutine print_header
 
    !> A line for an increment that was accepted or cut.
-   subroutine print_increment(problem, report)
-      type(problem_t), intent(in) :: problem
+   subroutine print_increment(report)
       type(increment_report_t), intent(in) :: report
       character(len=160) :: line
 
       write (line, '(i5, i6, i5, i6, 2es13.5, i10, es13.5)') report%step, report%increment, report%attempts, &
-         report%iterations, report%time, report%time_increment, report%contacts, &
-         sum(problem%contact%points%force) + sum(problem%contact%line_points%force)
+         report%iterations, report%time, report%time_increment, report%contacts, report%contact_force
       write (output_unit, '(a)') trim(trim(line)//'  '//report%remark)
    end subroutine print_increment
 

@@ -259,6 +259,7 @@ contains
       report%contacts_active = status%active
       report%contacts_new = status%new
       report%contacts_lost = status%lost
+      report%contact_force = status%force
       report%penetration = status%penetration
    end subroutine count_status
 

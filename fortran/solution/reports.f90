@@ -21,8 +21,8 @@ module litz_reports
       !> The nodes where they are (internal indices; 0: none)
       integer :: correction_node(n_fields) = 0
       integer :: contacts_active = 0, contacts_new = 0, contacts_lost = 0
-      !> Worst penetration [m], positive
-      real(dp) :: penetration = 0
+      !> Sum of the forces of all active ones [N], and worst penetration [m], positive
+      real(dp) :: contact_force = 0, penetration = 0
       !> Iterations before this one that have used the same factor of the tangent
       integer :: factor_age = 0
    end type iteration_report_t
@@ -37,7 +37,9 @@ module litz_reports
       real(dp) :: residual(n_fields) = 0
       !> Negative pivots of the last factorisation; -1: not known
       integer :: negative_pivots = -1
+      !> Active ones, and the sum of their forces [N]
       integer :: contacts = 0
+      real(dp) :: contact_force = 0
       !> Worst figures of the audit, as in the state; 0 where an increment was given up
       real(dp) :: audit(5) = 0
       !> It was accepted; no: cut, or given up

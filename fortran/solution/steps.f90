@@ -384,6 +384,7 @@ contains
       report%residual = outcome%last%residual
       report%negative_pivots = outcome%negative_pivots
       report%contacts = outcome%last%contacts_active
+      report%contact_force = outcome%last%contact_force
       report%converged = outcome%converged
       remark = remark_of(problem, outcome)
       if (outcome%converged) then

@@ -16,8 +16,8 @@ module litz_term
    type :: status_t
       !> Those that hold; those that hold against, and that do not hold in spite of, what the last iteration predicted
       integer :: active = 0, new = 0, lost = 0
-      !> Deepest overlap [m]
-      real(dp) :: penetration = 0
+      !> Sum of the forces of those that hold [N], and deepest overlap [m]
+      real(dp) :: force = 0, penetration = 0
    end type status_t
 
    type, abstract :: term_t

@@ -715,6 +715,40 @@ def test_one_mistake(litz, tmp_path, old, new, message, marked, at):
     check_one_error(litz, tmp_path, deck, message, line + 1, marked)
 
 
+@pytest.mark.parametrize(
+    ("pair", "message", "marked"),
+    [
+        ("LOWER, PLAET", 'there is no element set or rigid surface "PLAET"; did you mean PLATE?', "PLAET"),
+        ("LOWER, BUTTON", 'rigid surface "BUTTON"; there is LOWER, UPPER and PLATE', "BUTTON"),
+        ("PLATE, LOWER", '"PLATE" (there is a rigid surface of this name, which *CONTACT PAIR names after', "PLATE"),
+        ("LOWR, PLATE", 'there is no element set "LOWR"; did you mean LOWER?', "LOWR"),
+        ("LOWER, PLATE, UPPER", "too many values: *CONTACT PAIR takes 2 on this line", "UPPER"),
+    ],
+)
+def test_a_pair_with_a_surface_that_is_not_found_is_one_mistake(litz, tmp_path, pair, message, marked):
+    """That no pair uses the surface follows from it."""
+    plate = "*RIGID SURFACE, NAME=PLATE, TYPE=PLANE\n0., 0., -0.001, 0., 0., 1.\n*CONTACT PAIR, INTERACTION=SPOT\n"
+    deck = DECK.replace("*CONTACT PAIR, INTERACTION=SPOT\nLOWER, UPPER\n", f"{plate}{pair}\n")
+    deck = deck.replace("LINEAR\n1e8", "HERTZ")
+    check_one_error(litz, tmp_path, deck, message, line_of(pair, deck), marked)
+    wrong = deck.replace(pair, "LOWER, PLATE").replace("*CONTACT PAIR", "*CONTACT PIAR")
+    check_one_error(litz, tmp_path, wrong, "did you mean *CONTACT PAIR", line_of("PIAR", wrong), "*CONTACT PIAR")
+
+
+@pytest.mark.parametrize(
+    ("keyword", "wrong", "message"),
+    [
+        ("*NODE, NSET=ALL", "*NOED, NSET=ALL", 'unknown keyword "NOED"; did you mean *NODE?'),
+        ("*ELEMENT, TYPE=B33", "*ELEMNT, TYPE=B33", 'unknown keyword "ELEMNT"; did you mean *ELEMENT?'),
+        ("*NODE, NSET=ALL", "*NGEN, NSET=ALL", "litz has no *NGEN"),
+        ("*ELEMENT, TYPE=B33", "*ELGEN, TYPE=B33", "litz has no *ELGEN"),
+    ],
+)
+def test_nodes_and_elements_of_an_unknown_keyword_are_not_told_to_be_missing(litz, tmp_path, keyword, wrong, message):
+    deck = DECK.replace(keyword, wrong)
+    check_one_error(litz, tmp_path, deck, message, line_of(wrong, deck), wrong.partition(",")[0])
+
+
 def test_a_load_on_a_node_of_no_element(litz, tmp_path):
     deck = DECK.replace("3, -0.01", "9, 0., 0., 1.\n3, -0.01").replace("2, 4, 1e-6", "9, 1, 1.")
     check_one_error(litz, tmp_path, deck, "node 9 belongs to no element", line_of("9, 1, 1.", deck), "9")

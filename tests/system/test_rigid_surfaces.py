@@ -71,6 +71,28 @@ def test_of_two_contact_pairs_of_a_wire_and_a_surface_the_last_one_holds(run, la
         assert both.surface_contacts_at(-1)[name] == pytest.approx(alone.surface_contacts_at(-1)[name], rel=1e-12)
 
 
+@pytest.mark.parametrize("clamped", ["both ends", "one end"])
+@pytest.mark.parametrize("node", [5, 9])
+def test_a_wire_that_exactly_touches_a_plane_is_pressed_in_one_increment(run, clamped, node):
+    """At a gap of zero there is neither force nor stiffness, and where the wire lifts off does not depend on the size of the
+    load: no smaller increment would find it more easily. A wire that is an immeasurable gap above is pressed alike."""
+    supports = "*BOUNDARY\n 1, ENCASTRE\n" + " 17, ENCASTRE\n" * (clamped == "both ends")
+    load = step(f"*CLOAD\n {node}, 3, -10\n", "1, 1")
+
+    def pressed(height):
+        plane = surface("PLANE", "0, 0, -1e-3, 0, 0, 1")
+        process, results = run(wire(along_x(0.04, 16, height), 1e-3) + plane + supports + load, name=f"at{height}")
+        assert process.returncode == 0, process.stderr
+        return results
+
+    touching = pressed(0.0)
+    assert list(touching.status["attempts"]) == [1]
+    now, beside = (results.surface_contacts_at(-1) for results in (touching, pressed(1e-13)))
+    np.testing.assert_array_equal(now["element"], beside["element"])
+    # what the gap is of the overlap of some 1e-7 m
+    np.testing.assert_allclose(now["force"], beside["force"], rtol=1e-4, atol=1e-4)
+
+
 def test_the_force_does_not_depend_on_where_it_is_in_the_mesh(run):
     """In the middle of an element, near a node, at a node."""
     runs = [run(crossing(3e-7, shift), name=f"at{i}")[1] for i, shift in enumerate((0, 1e-3, 1.9999e-3))]

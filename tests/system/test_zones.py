@@ -154,7 +154,11 @@ class TestStrand:
         assert (f"crossings {n_crossings} contact forces" in text) == (n_crossings > 0)
         assert f"zones of line contact {zones.n_rows} " in text
         assert "line contact by pairs of wires" in text
-        rows = [line.split() for line in history_table(strand).splitlines()]
+        kinds, *lines = history_table(strand).splitlines()
+        assert kinds == (
+            "contacts: crossings and zones of contact along lines; contact force: the sum of all their forces"
+        )
+        rows = [line.split() for line in lines]
         assert rows[0][:2] == ["time", "contacts"]
         assert int(rows[2 + PULLED][1]) == 6
         assert int(rows[2 + len(strand.times) - 1][1]) == zones.n_rows + n_crossings

@@ -297,13 +297,18 @@ def _gradient() -> mpl.colors.Colormap:
     return mpl.colors.ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.88, 256)))
 
 
+def between_wires(text: str, results: Results) -> str:
+    """A title of what is of contacts between wires, which says so where there are rigid surfaces, too."""
+    return f"{text} between wires" if results.rigid_surfaces else text
+
+
 def contact_number(axes: Axes, results: Results) -> None:
     """Number of contacts over time."""
-    axes.set_title("Number of contacts")
+    axes.set_title(between_wires("Number of contacts", results))
     table, times = contacts_over_time(results, results.steps, results.increments), results.times
     counts = table["crossings"] + table["zones"]
     if table["zones"].any():
-        axes.set_title("Number of crossings and zones of line contact")
+        axes.set_title(between_wires("Number of crossings and zones", results))
     axes.plot(
         times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **marker(len(times)), color=_ONE_COLOUR
     )
@@ -331,10 +336,10 @@ def contact_heat(axes: Axes, results: Results) -> None:
 def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
     """Force of each contact over time, or of many the range and the median."""
     ledger = results.contacts
-    axes.set_title("Contact forces")
+    axes.set_title(between_wires("Contact forces", results))
     axes.set_xlabel(time_label(results))
     if not ledger.n_rows:
-        nothing_to_draw(axes, "There are no contacts")
+        nothing_to_draw(axes, "No wires touch each other")
         return
     factor, unit = engineering(ledger["force"], results.unit_labels["N"])
     axes.set_ylabel(label("force", unit))

@@ -117,11 +117,12 @@ def _few_pairs(axes: Axes, pairs: np.ndarray, of_zone: np.ndarray, zones: list[n
 def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -> None:
     """Sum of the contact forces of a run with contact along lines, and the largest force per length."""
     table = contacts_over_time(results, results.steps, results.increments)
-    axes.set_title("Contact forces")
-    factor, unit = engineering(table["force"], table.units["force"])
-    axes.plot(results.times, factor * table["force"], **marker(table.n_rows), color=colour_of(0, 3))
+    axes.set_title(charts.between_wires("Contact forces", results))
+    force = table["force_between_wires"]
+    factor, unit = engineering(force, table.units["force"])
+    axes.plot(results.times, factor * force, **marker(table.n_rows), color=colour_of(0, 3))
     axes.set_xlabel(time_label(results))
-    axes.set_ylabel(label("sum of all forces", unit), color=colour_of(0, 3))
+    axes.set_ylabel(label("sum of forces", unit), color=colour_of(0, 3))
     axes.set_ylim(bottom=0)
     factor, unit = engineering(table["max_force_per_length"], table.units["max_force_per_length"])
     right = axes.twinx()

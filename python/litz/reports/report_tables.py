@@ -243,7 +243,7 @@ def contacts_of_iterate(last: Results) -> str:
     """The deepest contacts of the iterate that was given up."""
     ledger = last.contacts
     if not ledger.n_rows:
-        return "<p>No wires touch in it.</p>"
+        return "<p>No wires touch each other in it.</p>"
     return _contact_table("deepest contacts", ledger, np.argsort(ledger["gap"])[:_MAX_CONTACTS], with_time=False)
 
 
@@ -251,10 +251,10 @@ def worst_contacts(results: Results) -> str:
     """The deepest contacts of the run, those with the largest forces, and those with the densest currents."""
     ledger = results.contacts
     if not ledger.n_rows:
-        return "<p>No wires have touched.</p>"
+        return "<p>No wires have touched each other.</p>"
     ledger = ledger.where(crossings_by_themselves(results))
     if not ledger.n_rows:
-        return "<p>All contact is along lines.</p>"
+        return "<p>All contact between wires is along lines.</p>"
     measures = [("largest penetration", -ledger["gap"]), ("largest force", ledger["force"])]
     density = current_density(ledger)
     if density.any():

@@ -1,4 +1,4 @@
-"""The contacts of a run over time: crossings, and zones of contact along lines."""
+"""The contacts of a run over time: crossings, zones of contact along lines, and elements on rigid surfaces."""
 
 from collections.abc import Iterator
 
@@ -15,9 +15,11 @@ FORCE_ROUND_OFF = 1e-9
 
 
 def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.ndarray) -> Table:
-    """Numbers of crossings by themselves and of zones, the sum of all forces, and the largest force per length.
+    """Numbers of contacts of each kind and of all, sums of their forces, and the largest force per length of wires.
 
-    Contacts whose force is only round-off do not count.
+    `crossings` by themselves and `zones` of line contact are between wires, with `force_between_wires`; each element that
+    touches a rigid surface is one of `on_surfaces`, with `force_on_surfaces`; `contacts` and `force` are the sums. Contacts
+    between wires whose force is only round-off do not count.
 
     Parameters
     ----------
@@ -28,19 +30,32 @@ def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.nd
     ledger, units = results.contacts, results.unit_labels
     lines = has_lines(results)
     columns = {name: np.zeros(len(steps), dtype=int) for name in ("crossings", "zones")}
-    columns |= {name: np.zeros(len(steps)) for name in ("force", "max_force_per_length")}
+    columns |= {name: np.zeros(len(steps)) for name in ("force_between_wires", "max_force_per_length")}
     pressed = np.abs(ledger["force"]) >= FORCE_ROUND_OFF * np.abs(ledger["force"]).max(initial=0.0)
     for place, every in enumerate(_rows_of_increments(ledger, steps, increments)):
         rows = every[pressed[every]]
-        columns["force"][place] = ledger["force"][rows].sum()
+        columns["force_between_wires"][place] = ledger["force"][rows].sum()
         columns["crossings"][place] = len(rows)
         if lines and len(rows):
             places = contact_places(results, ledger.where(rows))
             zones = contact_zones(places, units)
             columns["crossings"][place], columns["zones"][place] = (places.zone < 0).sum(), zones.n_rows
             columns["max_force_per_length"][place] = zones["max_force_per_length"].max(initial=0.0)
-    in_units = {"crossings": "", "zones": "", "force": units["N"], "max_force_per_length": per(units["N"], units["m"])}
-    return Table(columns, in_units)
+    columns["on_surfaces"], columns["force_on_surfaces"] = _on_surfaces(results, steps, increments)
+    columns["contacts"] = columns["crossings"] + columns["zones"] + columns["on_surfaces"]
+    columns["force"] = columns["force_between_wires"] + columns["force_on_surfaces"]
+    in_units = {name: units["N"] if name.startswith("force") else "" for name in columns}
+    return Table(columns, in_units | {"max_force_per_length": per(units["N"], units["m"])})
+
+
+def _on_surfaces(results: ResultFile, steps: np.ndarray, increments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Number of elements that touch rigid surfaces, and sum of their forces, at each of the increments."""
+    ledger = results.surface_contacts
+    number, force = np.zeros(len(steps), dtype=int), np.zeros(len(steps))
+    if ledger.n_rows:
+        for place, rows in enumerate(_rows_of_increments(ledger, steps, increments)):
+            number[place], force[place] = len(rows), ledger["force"][rows].sum()
+    return number, force
 
 
 def crossings_by_themselves(results: ResultFile) -> np.ndarray:

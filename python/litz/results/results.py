@@ -10,6 +10,7 @@ from ..base.notebook import shown_by
 from ..base.table import Table
 from . import along_cable, exports, interstrand, network, summary
 from .circuit import Circuit, build_circuit
+from .contact_history import contacts_over_time
 from .contact_places import ContactPlaces, contact_places
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
@@ -48,6 +49,16 @@ class Results(ResultFile):
     def _repr_html_(self) -> str | None:
         """The viewer with its data inside, for notebooks; also for those that are opened later without litz."""
         return shown_by("viewer.inlined", self)
+
+    @property
+    def contacts_over_time(self) -> Table:
+        """Numbers of contacts and sums of their forces: a row for each increment in the file.
+
+        `contacts` are `crossings` by themselves, `zones` of contact along lines, and elements `on_surfaces`, which are rigid;
+        `force` is the sum of `force_between_wires` and `force_on_surfaces`, of their sizes and not their resultant;
+        `max_force_per_length` is the largest of the wires that touch along lines.
+        """
+        return contacts_over_time(self, self.steps, self.increments)
 
     @property
     def surface_forces(self) -> Table:

@@ -72,7 +72,7 @@ def _last_increment(results: ResultFile) -> str:
         f"at time {time} (step {results.steps[-1]}, increment {results.increments[-1]}):",
         f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
-        *_contacts(places, zones, unit),
+        *_contacts(places, zones, unit, "contacts of wires" if results.rigid_surfaces else "contacts"),
         *pressure_lines(results),
     ]
     lines += _on_surfaces(results)
@@ -123,13 +123,16 @@ def _stored(results: ResultFile) -> float:
     return float(results.field("stored_heat").sum()) if "stored_heat" in results.fields else 0.0
 
 
-def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str]) -> list[str]:
-    """Crossings with the range of their forces, zones of line contact with that of their forces per length."""
+def _contacts(places: ContactPlaces, zones: Table, unit: dict[str, str], name: str) -> list[str]:
+    """Crossings with the range of their forces, zones of line contact with that of their forces per length.
+
+    `name` is that of crossings where there are no zones.
+    """
     force = places.ledger["force"]
     alone = force[places.zone < 0]
     lines = []
     if alone.size or not zones.n_rows:
-        lines.append(f"  {'crossings' if zones.n_rows else 'contacts':23}{alone.size:12d}")
+        lines.append(f"  {'crossings' if zones.n_rows else name:23}{alone.size:12d}")
     if alone.size:
         lines.append(f"  contact forces         {_range(alone, unit['N'])}, sum {alone.sum():.5g} {unit['N']}")
     if zones.n_rows:

@@ -70,8 +70,8 @@ def sweep(
         Values of each parameter, of which all combinations are run; or the combinations one by one.
     collect : callable, optional
         What goes into the table: a function of the `Results` that returns numbers by name. Left out: `contacts`, their number
-        at the end, `contact force`, the sum of their forces, the last row of the history, and the `conductance A to B` of each
-        `resistance A to B` in it.
+        at the end as the lines of a run have it, `contact force`, the sum of their forces, also on rigid surfaces, the last row
+        of the history, and the `conductance A to B` of each `resistance A to B` in it.
     directory : path
         Directory of decks and results, with a subdirectory for each run.
     processes : int, optional
@@ -335,9 +335,13 @@ class _Run:
     def _collected(self, results: Results) -> Mapping[str, float]:
         if self._collect is not None:
             return self._collect(results)
-        history, contacts = results.history, results.contacts_at(-1)
+        history = results.history
         self.units = {**history.units, "contact force": results.unit_labels["N"]}
-        values = {"contacts": float(contacts.n_rows), "contact force": float(contacts["force"].sum())}
+        ledgers = (results.contacts_at(-1), results.surface_contacts_at(-1))
+        values = {
+            "contacts": float(sum(ledger.n_rows for ledger in ledgers)),
+            "contact force": float(sum(ledger["force"].sum() for ledger in ledgers if ledger.n_rows)),
+        }
         for name in (name for name in history if name not in ("step", "increment", "time")):
             values[name] = history[name][-1]
             if name.startswith(_RESISTANCE):
