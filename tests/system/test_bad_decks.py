@@ -739,7 +739,7 @@ def test_a_pair_with_a_surface_that_is_not_found_is_one_mistake(litz, tmp_path, 
     ("keyword", "wrong", "message"),
     [
         ("*NODE, NSET=ALL", "*NOED, NSET=ALL", 'unknown keyword "NOED"; did you mean *NODE?'),
-        ("*ELEMENT, TYPE=B33", "*ELEMNT, TYPE=B33", 'unknown keyword "ELEMNT"; did you mean *ELEMENT?'),
+        ("*ELEMENT, TYPE=B33", "*ELEMENX, TYPE=B33", 'unknown keyword "ELEMENX"; did you mean *ELEMENT?'),
         ("*NODE, NSET=ALL", "*NGEN, NSET=ALL", "litz has no *NGEN"),
         ("*ELEMENT, TYPE=B33", "*ELGEN, TYPE=B33", "litz has no *ELGEN"),
     ],
