@@ -131,6 +131,7 @@ contains
          'INTERFERENCE FIT is for wires; move a rigid surface against the wires by its reference node')
       call check_members(self, model, pair)
       call check_laws(self, model, pair)
+      call check_conduction(self, model, pair)
       model%surface_pairs = [model%surface_pairs, pair]
    end subroutine read_surface_pair
 
@@ -189,5 +190,22 @@ contains
          end if
       end associate
    end subroutine check_laws
+
+   !> No current and no heat passes.
+   subroutine check_conduction(self, model, pair)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(surface_pair_t), intent(in) :: pair
+
+      if (pair%interaction == 0) return
+      associate (this => model%interactions(pair%interaction))
+         if (this%spot%exists()) call fail_at(self, self%values%token(2), 'no current passes to rigid surfaces, and '// &
+            this%name//' has *GAP ELECTRICAL CONDUCTANCE, LAW='//trim(this%spot%name)//': give the pair a surface'// &
+            ' interaction without it')
+         if (this%heat%exists()) call fail_at(self, self%values%token(2), 'no heat but that of friction passes to'// &
+            ' rigid surfaces, and '//this%name//' has *GAP CONDUCTANCE, LAW='//trim(this%heat%name)// &
+            ': give the pair a surface interaction without it')
+      end associate
+   end subroutine check_conduction
 
 end module litz_read_surfaces
