@@ -1,7 +1,8 @@
 !> Current and heat from wires into rigid surfaces that have a potential and a temperature.
 !>
-!> The conductance per length of a place follows its force per length; what the end of a wire carries has none. The parts
-!> of an element that touch change with the motions at their ends, too, where a conductance may begin with a step.
+!> The conductance per length of a place follows its force per length; what the end of a wire carries has none. The
+!> places move with the ends of the parts that touch, and the tangent is that of the sum over them: a conductance may
+!> begin there with a step, or grow steeply.
 !> Source: theory section 12.
 module litz_surface_flows
    use litz_axis, only: axis_shape, on_axis
@@ -16,7 +17,7 @@ module litz_surface_flows
    use litz_spot_law, only: spot_law_t, contact_spot_t, contact_spot, spot_ok
    use litz_state, only: surface_contact_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
-   use litz_surface_overlap, only: gap_at
+   use litz_surface_overlap, only: gap_at, surface_overlap_t
    use litz_surface_poses, only: present_surface, element_axis, surface_node
    use litz_surface_transfer, only: surface_transfer, n_transfer
    implicit none
@@ -27,15 +28,13 @@ module litz_surface_flows
    integer, parameter :: flowing(2) = [field_potential, field_temperature]
    !> Of each node: potential and temperature
    integer, parameter :: both_slots(2) = [potential_slots(1), temperature_slots(2)]
-   !> Force per length where a part that touches ends, over the largest one
-   real(dp), parameter :: vanishing_part = 1.0e-12_dp
 
    !> Places of a cell through which something flows: current, heat.
    type :: flow_places_t
       !> In the element (n), and conductances (n, 2) [S, W/K]
       real(dp), allocatable :: xi(:), conductance(:, :)
-      !> Derivatives of these by the motions of the nodes (18, n, 2)
-      real(dp), allocatable :: by_motion(:, :, :)
+      !> How they change with the motions of the nodes (18, n), (18, n, 2)
+      real(dp), allocatable :: dxi(:, :), dconductance(:, :, :)
    end type flow_places_t
 
    !> What flows through a cell, node by node: potential and temperature of both nodes and of the surface.
@@ -57,8 +56,8 @@ contains
       do i = 1, size(domain%model%surfaces)
          do field = field_potential, field_temperature
             if (field == field_temperature .and. .not. domain%loading%solves(field)) cycle
-            if (surface_conducts(domain%model, i, field)) &
-               exists(first_slot(field), domain%model%surfaces(i)%node) = .true.
+            if (.not. surface_conducts(domain%model, i, field)) cycle
+            exists(first_slot(field), domain%model%surfaces(i)%node) = .true.
          end do
       end do
    end subroutine request_flow_slots
@@ -151,17 +150,18 @@ contains
       type(domain_t), intent(in) :: domain
       type(surface_cell_t), intent(in) :: cell
       type(flow_places_t) :: places
-      real(dp), allocatable :: by_conductance(:, :, :)
+      real(dp), allocatable :: by_conductance(:, :, :), by_place(:, :)
 
       call find_places(domain, cell, places)
       flows%conductance = sum(places%conductance(:, 1))
-      allocate (by_conductance(n_transfer, size(places%xi), 2))
-      associate (nodes => nodes_of(domain, cell), value => domain%iterate%value)
+      associate (n => size(places%xi), nodes => nodes_of(domain, cell), value => domain%iterate%value)
+         allocate (by_conductance(n_transfer, n, 2), by_place(n_transfer, n))
          call surface_transfer(places%xi, places%conductance, value(potential_slots(1), nodes), &
-            value(temperature_slots(1), nodes), flows%k, flows%r, by_conductance, flows%joule_heat)
+            value(temperature_slots(1), nodes), flows%k, flows%r, by_conductance, by_place, flows%joule_heat)
       end associate
-      flows%by_motion = matmul(by_conductance(:, :, 1), transpose(places%by_motion(:, :, 1))) &
-         + matmul(by_conductance(:, :, 2), transpose(places%by_motion(:, :, 2)))
+      flows%by_motion = matmul(by_conductance(:, :, 1), transpose(places%dconductance(:, :, 1))) &
+         + matmul(by_conductance(:, :, 2), transpose(places%dconductance(:, :, 2))) &
+         + matmul(by_place, transpose(places%dxi))
       if (.not. domain%loading%solves(field_temperature)) call leave_out(flows, [2, 4, 6])
       if (.not. conducts(domain%model, cell%element, field_temperature)) call leave_out(flows, [2, 4])
    end function flows_of_cell
@@ -177,69 +177,89 @@ contains
       flows%by_motion(equations, :) = 0
    end subroutine leave_out
 
-   !> Places of the forces, and beyond them the ends of the parts that touch, which have no conductance yet.
+   !> Places of the forces: as the parts that touch grow with the motions, the places and their lengths go with them.
    pure subroutine find_places(domain, cell, places)
       type(domain_t), intent(in) :: domain
       type(surface_cell_t), intent(in) :: cell
       type(flow_places_t), intent(out) :: places
       type(spot_law_t) :: law
-      real(dp) :: ends(18, 2*cell%overlap%n), least, g(2)
-      integer :: n, i, kind
+      real(dp) :: dlength(18, size(cell%points)), doverlap(18, size(cell%points)), g(2)
+      integer :: i, kind
 
       associate (points => cell%points, interaction => domain%model%interactions( &
-         domain%model%surface_pairs(cell%pair)%interaction), parts => cell%overlap)
-         n = size(points)
-         places%xi = [points%xi, (parts%first(i), parts%last(i), i=1, parts%n)]
-         allocate (places%conductance(size(places%xi), 2), places%by_motion(18, size(places%xi), 2), source=0.0_dp)
-         least = vanishing_part*maxval([0.0_dp, pack(points%normal%force, .not. points%at_end)])
-         ! the places of metal that remembers its dents stay where they are
-         if (cell%yielding%yields) least = 0
-         if (least > 0) call find_ends(domain, cell, ends)
-         do kind = 1, 2
+         domain%model%surface_pairs(cell%pair)%interaction))
+         places%xi = points%xi
+         allocate (places%conductance(size(points), 2), places%dconductance(18, size(points), 2), source=0.0_dp)
+         allocate (places%dxi(18, size(points)))
+         call move_places(domain, cell, places%dxi, dlength, doverlap)
+         do kind = 1, size(flowing)
             if (.not. carries(domain, cell, flowing(kind))) cycle
             if (kind == 1) law = interaction%spot
             if (kind == 2) law = interaction%heat%as_spot_law()
-            do i = 1, n
+            do i = 1, size(points)
                ! what the end of a wire carries is no force per length
                if (points(i)%at_end) cycle
                g = per_length(law, points(i)%normal%force)*points(i)%weight
                places%conductance(i, kind) = g(1)
-               places%by_motion(:, i, kind) = -g(2)*points(i)%normal%stiffness*points(i)%row
+               places%dconductance(:, i, kind) = g(2)*points(i)%normal%stiffness*doverlap(:, i) + g(1)*dlength(:, i)
             end do
-            if (.not. least > 0) cycle
-            g = per_length(law, least)
-            places%by_motion(:, n + 1:, kind) = g(1)*ends
          end do
       end associate
    end subroutine find_places
 
-   !> By how much parts that touch grow along the wire with the motions, at each of their ends (18, ends) [-, m]:
-   !> `dxi = -dg/(dg/dxi)` times L/2.
-   pure subroutine find_ends(domain, cell, ends)
+   !> How places in parts that touch, the lengths for which they stand, and the overlaps there change with the motions.
+   !> The places of metal that remembers its dents stay where they are.
+   pure subroutine move_places(domain, cell, dxi, dlength, doverlap)
       type(domain_t), intent(in) :: domain
       type(surface_cell_t), intent(in) :: cell
-      !> In the order of the parts, the first end of each before its last one
-      real(dp), intent(out) :: ends(:, :)
+      !> (18, n): place, change of length over the length, and overlap
+      real(dp), intent(out) :: dxi(:, :), dlength(:, :), doverlap(:, :)
       type(rigid_surface_t) :: surface
       type(wire_axis_t) :: axis
-      real(dp) :: weight(4), w1(4), w2(4), x(3), distance, normal(3), gap, slope, xi(2*cell%overlap%n)
-      integer :: i
+      real(dp) :: ends(18, 2, cell%overlap%n), part, gap, slope
+      integer :: i, k
 
       surface = present_surface(domain, cell%pair)
       axis = element_axis(domain, cell%element, cell%pair)
-      xi = [(cell%overlap%first(i), cell%overlap%last(i), i=1, cell%overlap%n)]
-      ends = 0
-      do i = 1, size(xi)
-         ! the end of the element, or a place that divides what touches on both of its sides
-         if (abs(xi(i)) >= 1 .or. count(abs(xi - xi(i)) <= 0) > 1) cycle
-         call axis_shape(axis%interpolation, axis%length, xi(i), weight, w1, w2)
-         x = on_axis(weight, axis%x, axis%t)
-         call surface_distance(surface, x, distance, normal)
-         call gap_at(surface, axis%p, axis%radius, xi(i), gap, slope)
-         if (abs(slope) > 0) ends(:, i) = -distance_row(weight, axis%t, x - surface%centre, normal)/abs(slope) &
-            *axis%length/2
+      do k = 1, cell%overlap%n
+         ends(:, 1, k) = change_of_end(surface, axis, cell%overlap, cell%overlap%first(k))
+         ends(:, 2, k) = change_of_end(surface, axis, cell%overlap, cell%overlap%last(k))
       end do
-   end subroutine find_ends
+      dxi = 0
+      dlength = 0
+      do i = 1, size(cell%points)
+         associate (point => cell%points(i), first => cell%overlap%first, last => cell%overlap%last)
+            k = count(first(:cell%overlap%n) <= point%xi)
+            if (k > 0 .and. point%place == 0) then
+               part = (point%xi - first(k))/(last(k) - first(k))
+               dxi(:, i) = (1 - part)*ends(:, 1, k) + part*ends(:, 2, k)
+               dlength(:, i) = (ends(:, 2, k) - ends(:, 1, k))/(last(k) - first(k))
+            end if
+            call gap_at(surface, axis%p, axis%radius, point%xi, gap, slope)
+            doverlap(:, i) = -point%row - slope*dxi(:, i)
+         end associate
+      end do
+   end subroutine move_places
+
+   !> How an end of a part that touches moves: `dxi = -dg/(dg/dxi)`. The ends of the element stay, and so do places that
+   !> divide what touches on both of their sides.
+   pure function change_of_end(surface, axis, overlap, xi) result(change)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      type(surface_overlap_t), intent(in) :: overlap
+      !> The end
+      real(dp), intent(in) :: xi
+      real(dp) :: change(18), weight(4), w1(4), w2(4), x(3), distance, normal(3), gap, slope
+
+      change = 0
+      if (abs(xi) >= 1 .or. count(abs([overlap%first(:overlap%n), overlap%last(:overlap%n)] - xi) <= 0) > 1) return
+      call gap_at(surface, axis%p, axis%radius, xi, gap, slope)
+      if (.not. abs(slope) > 0) return
+      call axis_shape(axis%interpolation, axis%length, xi, weight, w1, w2)
+      x = on_axis(weight, axis%x, axis%t)
+      call surface_distance(surface, x, distance, normal)
+      change = -distance_row(weight, axis%t, x - surface%centre, normal)/slope
+   end function change_of_end
 
    !> Conductance per length at a force per length, and its derivative (2) [S/m], [S/N].
    pure function per_length(law, force) result(g)

@@ -54,7 +54,8 @@ contains
       if (surface > 0 .and. .not. any(problem%model%connectivity == problem%fed_node)) then
          text = 'the '//trim(fields(problem%fed_field)%name)//' of the rigid surface '// &
             problem%model%surfaces(surface)%name//' is not determined: prescribe degree of freedom '// &
-            dof_range(problem%fed_field)//' of its reference node '//to_text(problem%model%node_id(problem%fed_node))// &
+            dof_range(problem%fed_field)//' of its reference node '// &
+            to_text(problem%model%node_id(problem%fed_node))// &
             ' (*BOUNDARY); no wire that it touches has a prescribed one'
          return
       end if
