@@ -1,4 +1,4 @@
-!> Heat of friction on rigid surfaces that enters the wires, and the surfaces that have a temperature, in steps over time
+!> Heat of friction on rigid surfaces that enters the wires, and surfaces that have a temperature, in steps over time
 !> that solve for temperatures.
 !>
 !> What friction does there is the matter of the surface term. Source: theory section 13.

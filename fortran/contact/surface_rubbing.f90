@@ -172,11 +172,12 @@ contains
                %heat_conductivity)) cycle
             n = n + 1
             associate (law => model%interactions(model%surface_pairs(cell%pair)%interaction)%heat)
-               rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], [law%surface_share, 1 - law%surface_share], &
-                  law%friction_fraction*cell%friction_work, law%friction_fraction*cell%memory%last_dissipation)
+               rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], &
+                  [law%surface_share, 1 - law%surface_share], law%friction_fraction*cell%friction_work, &
+                  law%friction_fraction*cell%memory%last_dissipation)
             end associate
-            if (surface_conducts(model, model%surface_pairs(cell%pair)%surface, field_temperature)) &
-               rubbing(n)%node = surface_node(domain, cell)
+            if (.not. surface_conducts(model, model%surface_pairs(cell%pair)%surface, field_temperature)) cycle
+            rubbing(n)%node = surface_node(domain, cell)
          end associate
       end do
       rubbing = rubbing(:n)

@@ -304,7 +304,7 @@ contains
       character(len=*), intent(in) :: what
       !> A value stays under a falling force
       logical, intent(in) :: is_remembered
-      !> The user's numbers of its elements
+      !> The user's numbers of its elements (n)
       integer, intent(in) :: elements(:)
       type(run_warnings_t), intent(inout) :: warnings
       character(len=:), allocatable :: unit

@@ -97,7 +97,10 @@ def test_a_linear_law_has_a_penalty_for_crossings_for_lines_or_both():
         ("model.plane('P', (0, 0, 0), (0, 0, 1), reference=99)", "there are nodes 1 to 11, not 99"),
         ("model.fix(table)", "the surface TABLE is fixed in space"),
         ("model.contact(table, wire)", "the wires come first"),
-        ("model.contact(wire, table, conductance=litz.HertzSpot())", "current passes to the rigid surface TABLE along a line"),
+        (
+            "model.contact(wire, table, conductance=litz.HertzSpot())",
+            "current passes to the rigid surface TABLE along a line",
+        ),
         (
             "model.contact(wire, table, interaction=litz.Interaction(conductance=litz.HertzSpot()))",
             "possible are ConstantSpot and TableSpot with per_length=True",

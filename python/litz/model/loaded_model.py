@@ -407,7 +407,9 @@ def _check_surface_laws(surface: RigidSurface, laws: Interaction, interference_f
                 f"not {law!r}"
             )
         if surface.node is None:
-            raise ValueError(f"{flow} passes to the reference node of the rigid surface {surface.name}: give it a reference")
+            raise ValueError(
+                f"{flow} passes to the reference node of the rigid surface {surface.name}: give it a reference"
+            )
     if isinstance(laws.behaviour, Linear) and laws.behaviour.line_penalty is None:
         raise ValueError(f"a wire touches the rigid surface {surface.name} along a line: Linear needs its line_penalty")
     if interference_fit:
