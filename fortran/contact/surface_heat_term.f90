@@ -1,4 +1,5 @@
-!> Heat of friction on rigid surfaces that enters the wires, in steps over time that solve for temperatures.
+!> Heat of friction on rigid surfaces that enters the wires, and surfaces that have a temperature, in steps over time
+!> that solve for temperatures.
 !>
 !> What friction does there is the matter of the surface term. Source: theory section 13.
 module litz_surface_heat_term
@@ -7,7 +8,7 @@ module litz_surface_heat_term
    use litz_fields, only: field_temperature, temperature_slots
    use litz_kinds, only: dp
    use litz_model, only: step_t
-   use litz_rubbing, only: is_abrupt, add_friction_heat
+   use litz_rubbing, only: is_abrupt, add_friction_heat, power_of
    use litz_term, only: term_t
    implicit none
    private
@@ -18,6 +19,8 @@ module litz_surface_heat_term
       real(dp), private :: rate = 0
       !> Into the elements (n_elements) [W]
       real(dp), allocatable, private :: made(:)
+      !> Into the reference nodes of surfaces (n_nodes) [W]
+      real(dp), allocatable, private :: of_surfaces(:)
    contains
       procedure :: apply_load
       procedure :: evaluate
@@ -43,11 +46,22 @@ contains
       type(domain_t), intent(inout) :: domain
       !> Never
       type(error_t), allocatable, intent(out) :: error
+      integer :: i
 
       self%made = spread(0.0_dp, 1, domain%model%n_elements)
+      self%of_surfaces = spread(0.0_dp, 1, domain%model%n_nodes)
       if (.not. (self%rate > 0 .and. allocated(domain%surface_rubbing))) return
       call add_friction_heat(domain%surface_rubbing, domain%model%connectivity, domain%heat_weights, 1/self%rate, &
          domain%forces%internal(temperature_slots(1), :), self%made)
+      do i = 1, size(domain%surface_rubbing)
+         associate (this => domain%surface_rubbing(i))
+            if (this%node > 0) self%of_surfaces(this%node) = self%of_surfaces(this%node) &
+               + this%share(2)*power_of(this, domain%heat_weights, 1/self%rate)
+         end associate
+      end do
+      associate (leaving => domain%forces%internal(temperature_slots(1), :))
+         leaving = leaving - self%of_surfaces
+      end associate
    end subroutine evaluate
 
    !> The forces balance, so that friction is known: an increment in which it sets in or ends takes backward Euler.
@@ -63,12 +77,16 @@ contains
       has_moved = .true.
    end subroutine settle
 
-   !> What results show.
+   !> What results show; the heat of a surface comes into the model at its node.
    subroutine accept(self, domain)
       class(surface_heat_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
 
-      if (allocated(self%made)) domain%state%heat_made = domain%state%heat_made + self%made
+      if (.not. allocated(self%made)) return
+      domain%state%heat_made = domain%state%heat_made + self%made
+      associate (outer => domain%state%outer_force(temperature_slots(1), :))
+         outer = outer + self%of_surfaces
+      end associate
    end subroutine accept
 
 end module litz_surface_heat_term

@@ -3,9 +3,10 @@
 !> Cells of one zone of contact hand it on to each other where it slides along the wire. Source: theory section 12.
 module litz_surface_rubbing
    use litz_kinds, only: dp
+   use litz_conduction, only: surface_conducts
    use litz_domain, only: domain_t
    use litz_element_library, only: material_at
-   use litz_fields, only: motion_slots
+   use litz_fields, only: field_temperature, motion_slots
    use litz_rigid_surface, only: rigid_surface_t
    use litz_rubbing, only: rubbing_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
@@ -171,9 +172,12 @@ contains
                %heat_conductivity)) cycle
             n = n + 1
             associate (law => model%interactions(model%surface_pairs(cell%pair)%interaction)%heat)
-               rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], [law%surface_share, 0.0_dp], &
-                  law%friction_fraction*cell%friction_work, law%friction_fraction*cell%memory%last_dissipation)
+               rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], &
+                  [law%surface_share, 1 - law%surface_share], law%friction_fraction*cell%friction_work, &
+                  law%friction_fraction*cell%memory%last_dissipation)
             end associate
+            if (.not. surface_conducts(model, model%surface_pairs(cell%pair)%surface, field_temperature)) cycle
+            rubbing(n)%node = surface_node(domain, cell)
          end associate
       end do
       rubbing = rubbing(:n)

@@ -20,6 +20,7 @@ module litz_surface_term
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
       laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force
+   use litz_surface_flows, only: request_flow_slots, add_flows, link_flows, note_flows
    use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
    use litz_surface_friction, only: stick_stiffness_of
    use litz_surface_memory, only: recall_memory, keep_memory
@@ -53,6 +54,7 @@ module litz_surface_term
       procedure :: start
       procedure :: evaluate
       procedure :: count_status
+      procedure :: link
       procedure :: predict
       procedure :: settle
       procedure :: add_energies
@@ -118,6 +120,7 @@ contains
             if (node > 0) exists(motion_slots(1):motion_slots(2), node) = .true.
          end associate
       end do
+      call request_flow_slots(domain, exists)
    end subroutine request_slots
 
    subroutine connect(self, domain, nodes)
@@ -314,8 +317,11 @@ contains
       integer, allocatable :: closed(:)
       integer :: i
 
-      if (domain%motions_stand) return
       if (size(self%cells) == 0) return
+      if (domain%motions_stand) then
+         call add_flows(domain, self%cells)
+         return
+      end if
       call domain%timing%lap(phase_update)
       call survey(self, domain)
       self%outer = spread([0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp], 2, domain%model%n_nodes)
@@ -326,6 +332,7 @@ contains
       call add_closed(self, domain, pack(closed, [(surface_node(domain, self%cells(closed(i))) > 0, &
          i=1, size(closed))]), 3)
       call keep_friction(self, domain)
+      call add_flows(domain, self%cells)
       call domain%timing%lap(phase_contact)
    end subroutine evaluate
 
@@ -366,6 +373,17 @@ contains
          status%penetration = max(status%penetration, maxval(-cells%overlap%gap))
       end associate
    end subroutine count_status
+
+   subroutine link(self, domain, field, pairs)
+      class(surface_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      !> One of the fields of litz_fields
+      integer, intent(in) :: field
+      !> A node of a wire and that of the surface (2, pairs)
+      integer, allocatable, intent(out) :: pairs(:, :)
+
+      pairs = link_flows(domain, self%cells, field)
+   end subroutine link
 
    subroutine predict(self, domain, eta, correction)
       class(surface_term_t), intent(inout) :: self
@@ -464,6 +482,9 @@ contains
       domain%state%surface_contacts = [(contact_of_cell(present_surface(domain, self%cells(closed(i))%pair), &
          element_axis(domain, self%cells(closed(i))%element, self%cells(closed(i))%pair), self%cells(closed(i))), &
          i=1, size(closed))]
+      do i = 1, size(closed)
+         call note_flows(domain, self%cells(closed(i)), domain%state%surface_contacts(i))
+      end do
       associate (outer => domain%state%outer_force(motion_slots(1):motion_slots(2), :))
          outer = outer + self%outer
       end associate

@@ -344,8 +344,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'GAP ELECTRICAL CONDUCTANCE', place_model, 'Resistance of the contact spot.'// &
-         meanings_of(all_spot_laws())//' Without this keyword no current flows through the contact.', &
-         after='SURFACE INTERACTION')
+         meanings_of(all_spot_laws())//' Without this keyword no current flows through the contact. On rigid'// &
+         ' surfaces it is CONSTANT or TABLE with PER=LENGTH.', after='SURFACE INTERACTION')
       call k%add(choice('LAW', names_of(all_spot_laws()), 'the law of the spot (litz extension)', required=.true.))
       call k%add(choice('VOLTAGE', 'CORRECTED|LINEAR', &
          'CORRECTED adds the resistance neglected by the linear voltage within an'// &
@@ -362,7 +362,7 @@ contains
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
       call k%add(choice('PER', 'SPOT|LENGTH', &
          'LENGTH: the resistance of CONSTANT and TABLE is per length [ohm m], the force of TABLE per length [N/m],'// &
-         ' of wires that touch along lines (litz extension)', default='SPOT'))
+         ' of wires that touch along lines and on rigid surfaces (litz extension)', default='SPOT'))
       call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
 
@@ -372,8 +372,8 @@ contains
       call begin(k, 'CONTACT PAIR', place_model, &
          'Wires that may touch. All crossings between the two sets are searched; with one set, those within it,'// &
          ' also of a wire with itself. With the name of a rigid surface in place of the second set: wires that may'// &
-         ' touch this surface, to which no current passes. Where several pairs name the same wires, or the same'// &
-         ' wire and surface, the last one in the deck holds.')
+         ' touch this surface; current and heat pass to its reference node by laws with PER=LENGTH. Where several'// &
+         ' pairs name the same wires, or the same wire and surface, the last one in the deck holds.')
       call k%add(name('INTERACTION', 'the laws of the contact', required=.true.))
       call k%add(flag('INTERFERENCE FIT', &
          'overlaps at the start are intended; they are resolved linearly over the first step'))
@@ -389,12 +389,13 @@ contains
       call begin(k, 'GAP CONDUCTANCE', place_model, 'Heat through the contact, in steps that solve for temperatures'// &
          ', between wires with *CONDUCTIVITY. The heat of the current in a spot enters both wires, half and half in'// &
          ' a symmetric contact.'//meanings_of(all_heat_laws())// &
-         ' Without this keyword heat passes by CONDUCTIVITY where a current can, and nowhere else.', &
+         ' Without this keyword heat passes by CONDUCTIVITY where a current can, and nowhere else. On rigid'// &
+         ' surfaces it is CONSTANT or TABLE with PER=LENGTH, and without it no heat passes.', &
          after='SURFACE INTERACTION')
       call k%add(choice('LAW', names_of(all_heat_laws()), 'the law (litz extension)', required=.true.))
       call k%add(choice('PER', 'SPOT|LENGTH', &
          'LENGTH: the heat conductance of CONSTANT and TABLE is per length [W/(m K)], the force of TABLE per length'// &
-         ' [N/m], of wires that touch along lines (litz extension)', default='SPOT'))
+         ' [N/m], of wires that touch along lines and on rigid surfaces (litz extension)', default='SPOT'))
       call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T'// &
          ' at the contact', limit_positive))
       call k%add(number('TSOFT', 'temperature at which the metal softens: a warning (hot_spot) where the hottest'// &
@@ -407,7 +408,7 @@ contains
 
       call begin(k, 'GAP HEAT GENERATION', place_model, 'Heat of friction, in steps that solve for motions and'// &
          ' temperatures over time. It enters both wires half and half, where wires with *CONDUCTIVITY touch each'// &
-         ' other; of that on a rigid surface a part f enters the wire, the rest is lost to the surface.'// &
+         ' other; of that on a rigid surface a part f enters the wire, the rest the surface.'// &
          ' Without this keyword all of the work of friction becomes heat.', after='SURFACE INTERACTION')
       call k%add_data([real_field('eta', '-', 'part of the work of friction that becomes heat, from 0 to 1', &
          limit_not_negative), &
@@ -422,13 +423,14 @@ contains
       type(field_spec_t) :: place(3), direction(3)
       integer :: i
 
-      call begin(k, 'RIGID SURFACE', place_model, 'A rigid, insulating surface that wires can touch: press plates,'// &
+      call begin(k, 'RIGID SURFACE', place_model, 'A rigid surface that wires can touch: press plates,'// &
          ' drums, jackets. PLANE: the wires are on the side of its normal. CYLINDER: they touch it from outside.'// &
          ' BORE: they touch it from inside. All are endless.')
       call k%add(name('NAME', 'name of the surface, for *CONTACT PAIR', required=.true.))
       call k%add(choice('TYPE', 'PLANE|CYLINDER|BORE', 'its shape (litz extension)', required=.true.))
       call k%add(count_of('REF NODE', 'node with which the surface moves and turns, and on which the forces of the'// &
-         ' contacts act; without it the surface is fixed in space', ''))
+         ' contacts act; its potential (9) and temperature (11) are those of the surface where current or heat'// &
+         ' passes to it; without it the surface is fixed in space', ''))
       call k%add(name('RADIUS AMPLITUDE', '*AMPLITUDE with TIME=TOTAL TIME that multiplies the radius: a jacket'// &
          ' that shrinks, a mandrel that grows; of a cylinder or a bore; without it the radius stays'))
       place = [(real_field(axis_names(i), 'm', 'a point of the plane or of the axis'), i=1, 3)]

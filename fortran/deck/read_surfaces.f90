@@ -3,6 +3,7 @@ module litz_read_surfaces
    use litz_kinds, only: dp
    use litz_text, only: to_text
    use litz_check_yielding, only: check_elasticity
+   use litz_conduction, only: surface_obstacle
    use litz_deck, only: token_t
    use litz_data_lines, only: read_line
    use litz_definitions, only: add_definition, find_definition
@@ -131,6 +132,7 @@ contains
          'INTERFERENCE FIT is for wires; move a rigid surface against the wires by its reference node')
       call check_members(self, model, pair)
       call check_laws(self, model, pair)
+      call check_conduction(self, model, pair)
       model%surface_pairs = [model%surface_pairs, pair]
    end subroutine read_surface_pair
 
@@ -189,5 +191,24 @@ contains
          end if
       end associate
    end subroutine check_laws
+
+   !> Current and heat pass to a reference node, by conductances per length.
+   subroutine check_conduction(self, model, pair)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(surface_pair_t), intent(in) :: pair
+
+      if (pair%interaction == 0 .or. pair%surface == 0) return
+      associate (law => model%interactions(pair%interaction), surface => model%surfaces(pair%surface))
+         if (len(surface_obstacle(law)) > 0) then
+            call fail_at(self, self%values%token(2), 'a wire touches a rigid surface along a line: surface'// &
+               ' interaction '//law%name//' has '//surface_obstacle(law))
+         else if ((law%spot%exists() .or. law%heat%exists()) .and. surface%node == 0) then
+            call fail_at(self, self%values%token(2), 'surface interaction '//law%name//' passes '// &
+               trim(merge('current', 'heat   ', law%spot%exists()))//' to the rigid surface '//surface%name// &
+               ', which needs a reference node for it: REF NODE= of *RIGID SURFACE')
+         end if
+      end associate
+   end subroutine check_conduction
 
 end module litz_read_surfaces

@@ -1,5 +1,6 @@
 !> At which nodes a field has an equation.
 module litz_unknown_nodes
+   use litz_conduction, only: conducts, surface_conducts
    use litz_fields, only: field_potential, field_temperature, n_fields
    use litz_model, only: model_t
    implicit none
@@ -33,7 +34,7 @@ contains
       end do
    end subroutine find_unknowns
 
-   !> Nodes of elements that conduct the flux of a field; all nodes for fields that need no conductor.
+   !> Nodes of elements and surfaces that conduct the flux of a field; all nodes for fields that need no conductor.
    pure function nodes_with_unknown(model, field) result(has_unknown)
       type(model_t), intent(in) :: model
       !> One of litz_fields
@@ -48,22 +49,10 @@ contains
             if (model%connectivity(k, e) > 0) has_unknown(model%connectivity(k, e)) = .true.
          end do
       end do
+      do k = 1, size(model%surfaces)
+         if (surface_conducts(model, k, field)) has_unknown(model%surfaces(k)%node) = .true.
+      end do
    end function nodes_with_unknown
-
-   !> Elements whose section or material is in error count as conductors, so that no second error follows.
-   pure logical function conducts(model, element, field)
-      type(model_t), intent(in) :: model
-      !> Index of the element, and one of litz_fields
-      integer, intent(in) :: element, field
-
-      conducts = .true.
-      if (all(field /= [field_potential, field_temperature]) .or. model%element_section(element) == 0) return
-      associate (section => model%sections(model%element_section(element)))
-         if (section%material == 0) return
-         if (field == field_potential) conducts = model%materials(section%material)%conductivity > 0
-         if (field == field_temperature) conducts = allocated(model%materials(section%material)%heat_conductivity)
-      end associate
-   end function conducts
 
    !> Why a node does not have the unknown of a field, behind the name of the node.
    pure function reason_for_lack_of(field) result(words)

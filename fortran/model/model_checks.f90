@@ -2,7 +2,8 @@
 !> holds, and conductors without a path to a prescribed potential. The last two would make the equations singular.
 module litz_model_checks
    use litz_kinds, only: dp
-   use litz_fields, only: fields, field_displacement, field_of_dof, group_mechanical
+   use litz_conduction, only: passes_to_surface, surface_conducts
+   use litz_fields, only: fields, field_displacement, field_potential, field_of_dof, group_mechanical
    use litz_model, only: model_t, step_t, equation_t, dof_potential, n_nodes_of_deck
    use litz_parts, only: parts_t, find_parts, describe_part, join, find_root
    use litz_rigid_modes, only: add_support, support_row, free_modes, describe_modes
@@ -81,10 +82,14 @@ contains
    pure function describe_conductor(model, parts, part) result(text)
       type(model_t), intent(in) :: model
       type(parts_t), intent(in) :: parts
-      !> Index of the part
+      !> Index of the part, or of a rigid surface behind all parts
       integer, intent(in) :: part
       character(len=:), allocatable :: text
 
+      if (part > parts%n) then
+         text = 'the rigid surface '//model%surfaces(part - parts%n)%name
+         return
+      end if
       text = 'the conductor '
       if (parts%set(part) == 0) text = text//'of '
       text = text//describe_part(model, parts, part)
@@ -374,7 +379,8 @@ contains
       if (len(line) > 0) line = line//new_line('a')
    end function conductors_by_contact
 
-   !> Every connected conductor needs a prescribed potential, or contacts that may lead to one.
+   !> Every connected conductor needs a prescribed potential, or contacts that may lead to one. Rigid surfaces to which
+   !> current passes stand behind the parts.
    subroutine check_conductors(model, findings, n, by_contact)
       type(model_t), intent(in) :: model
       type(finding_t), allocatable, intent(inout) :: findings(:)
@@ -385,7 +391,7 @@ contains
       type(parts_t) :: parts
       logical, allocatable :: included(:), reported(:), held(:), group_held(:)
       integer, allocatable :: group(:)
-      integer :: e, step, part, i, n_alike, first_alike
+      integer :: e, step, part, i, n_alike, first_alike, n_all
 
       by_contact = ''
       allocate (included(model%n_elements))
@@ -394,21 +400,25 @@ contains
       end do
       call find_parts(model, included, parts)
       allocate (group, source=groups_by_contact(model, parts))
-      allocate (reported(parts%n), source=.false.)
+      n_all = size(group)
+      allocate (reported(n_all), source=.false.)
+      reported(parts%n + 1:) = [(.not. surface_conducts(model, i, field_potential), i=1, size(model%surfaces))]
       do step = 1, size(model%steps)
-         allocate (held(parts%n), group_held(parts%n), source=.false.)
+         allocate (held(n_all), group_held(n_all), source=.false.)
          associate (boundary => model%steps(step)%boundary)
             do i = 1, size(boundary)
                part = parts%of_node(boundary(i)%node)
-               if (boundary(i)%dof == dof_potential .and. part > 0) held(part) = .true.
+               if (boundary(i)%dof /= dof_potential) cycle
+               if (part > 0) held(part) = .true.
+               held(parts%n + 1:) = held(parts%n + 1:) .or. model%surfaces%node == boundary(i)%node
             end do
          end associate
          call hold_by_equations(model, parts, held)
-         do part = 1, parts%n
+         do part = 1, n_all
             if (held(part)) group_held(group(part)) = .true.
          end do
          n_alike = 0
-         do part = 1, parts%n
+         do part = 1, n_all
             if (held(part) .or. reported(part)) cycle
             if (group_held(group(part))) then
                n_alike = n_alike + 1
@@ -430,14 +440,14 @@ contains
       end do
    end subroutine check_conductors
 
-   !> Parts that contacts with a spot law may join carry the same number.
+   !> Parts that contacts with a spot law may join carry the same number, and rigid surfaces behind them.
    function groups_by_contact(model, parts) result(group)
       type(model_t), intent(in) :: model
       type(parts_t), intent(in) :: parts
-      integer :: group(parts%n)
+      integer :: group(parts%n + size(model%surfaces))
       integer :: i, part, anchor
 
-      group = [(part, part=1, parts%n)]
+      group = [(part, part=1, size(group))]
       do i = 1, size(model%contact_pairs)
          associate (pair => model%contact_pairs(i))
             if (.not. model%interactions(pair%interaction)%spot%exists()) cycle
@@ -446,7 +456,16 @@ contains
             call join_members(model%element_sets(pair%set)%members)
          end associate
       end do
-      do part = 1, parts%n
+      do i = 1, size(model%surface_pairs)
+         associate (pair => model%surface_pairs(i))
+            if (.not. passes_to_surface(model, i, field_potential)) cycle
+            anchor = parts%n + pair%surface
+            if (parts%of_node(model%surfaces(pair%surface)%node) > 0) call join(group, anchor, &
+               parts%of_node(model%surfaces(pair%surface)%node))
+            call join_members(model%element_sets(pair%set)%members)
+         end associate
+      end do
+      do part = 1, size(group)
          group(part) = find_root(group, part)
       end do
 

@@ -239,6 +239,11 @@ contains
       call table%field('surface_force', c%surface_force, 'N', 'force on the surface, with friction')
       call table%field('surface_moment', c%surface_moment, 'N m', &
          'moment on the surface about its reference node, or about the origin where it is fixed in space')
+      call table%field('conductance', c%conductance, 'S', 'electrical conductance of the contact')
+      call table%field('current', c%current, 'A', 'current from the wire into the surface')
+      call table%field('joule_heat', c%joule_heat, 'W', 'heat of the current in the contact')
+      call table%field('heat', c%heat, 'W', 'heat flow from the contact into the wire')
+      call table%field('heat_of_surface', c%heat_of_surface, 'W', 'heat flow from the contact into the surface')
       call table%field('slip_path', c%slip_path, 'm', 'path of the slip since the contact closed')
       call table%field('dissipation', c%dissipation, 'J', 'frictional heat since the contact closed')
       call table%field('friction', c%friction_status, '1', '0 none, 1 stick, 2 slip', words='none|stick|slip')

@@ -80,6 +80,10 @@ module litz_state
       !> What the surface feels, with friction: force (3) [N], and moment about its reference node, or about the origin
       !> where it is fixed in space (3) [N m]
       real(dp) :: surface_force(3) = 0, surface_moment(3) = 0
+      !> Conductance [S], current into the surface, and what of it comes from either node of the element (2) [A]
+      real(dp) :: conductance = 0, current = 0, current_of_nodes(2) = 0
+      !> Of the current through the contact, and heat that the contact gives to the wire, and to the surface [W]
+      real(dp) :: joule_heat = 0, heat = 0, heat_of_surface = 0
    end type surface_contact_t
 
    !> Energies since the beginning [J]

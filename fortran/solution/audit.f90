@@ -9,6 +9,7 @@ module litz_audit
    use litz_kinds, only: dp
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
+   use litz_flow_balances, only: current_imbalance, spot_imbalance, power_imbalance, heat_imbalance, power_left_over
    use litz_loading, only: loading_t
    use litz_model, only: model_t
    use litz_normal_law, only: penalty_that_holds
@@ -79,7 +80,8 @@ contains
       extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
       potential = maxval(abs(state%value(current_slot, :)))
       ! twice what is left over, which has round-off itself
-      power = max(sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat)), &
+      power = max(sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat)) &
+         + sum(abs(state%surface_contacts%joule_heat)), &
          2*power_left_over(state, residual(field_potential, :))/allowed_imbalance)
       total_round_off = sum(scales%round_off, 2)
       call weigh_nodes('forces', residual(field_displacement, :), field_displacement, audit%force)
@@ -102,7 +104,8 @@ contains
       not_shown = 0
       call weigh('the heat that leaves the wires or is stored is not that which is made in them', &
          abs(heat_imbalance(state)), sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
-         + sum(abs(state%contacts%heat_bar) + abs(state%contacts%heat)) + sum(abs(state%reaction(heat_slot, :))), &
+         + sum(abs(state%contacts%heat_bar) + abs(state%contacts%heat)) + sum(abs(state%surface_contacts%heat)) &
+         + sum(abs(state%reaction(heat_slot, :))), &
          total_round_off(field_temperature), &
          not_shown)
       do field = 1, n_fields
@@ -340,79 +343,6 @@ contains
             force(first_slot(field_displacement):last_slot(field_displacement)))
       end do
    end function moment_imbalance
-
-   !> Kirchhoff's law: current that enters each node from outside less what leaves it into elements and spots [A].
-   pure function current_imbalance(model, state) result(left)
-      type(model_t), intent(in) :: model
-      type(state_t), intent(in) :: state
-      real(dp) :: left(model%n_nodes)
-      integer :: i
-
-      left = state%reaction(current_slot, :) + state%load(current_slot, :) + state%outer_force(current_slot, :)
-      do i = 1, model%n_elements
-         associate (node => model%connectivity(:, i))
-            left(node(1)) = left(node(1)) - state%element_current(i)
-            left(node(2)) = left(node(2)) + state%element_current(i)
-         end associate
-      end do
-      do i = 1, size(state%contacts)
-         associate (c => state%contacts(i))
-            call share(c%element_bar, c%xi_bar, -c%current)
-            call share(c%element, c%xi, c%current)
-         end associate
-      end do
-
-   contains
-
-      !> A current into an element at `xi` comes to its nodes as the linear voltage has it.
-      pure subroutine share(element, xi, current)
-         !> Index of the element
-         integer, intent(in) :: element
-         !> Place in [-1, 1], and current [A]
-         real(dp), intent(in) :: xi, current
-
-         associate (node => model%connectivity(:, element))
-            left(node(1)) = left(node(1)) + (1 - xi)/2*current
-            left(node(2)) = left(node(2)) + (1 + xi)/2*current
-         end associate
-      end subroutine share
-
-   end function current_imbalance
-
-   !> Current of each spot less what its voltage drives through its resistance [A].
-   pure function spot_imbalance(contacts) result(left)
-      type(contact_t), intent(in) :: contacts(:)
-      real(dp) :: left(size(contacts))
-
-      left = contacts%current
-      where (contacts%resistance > 0) left = contacts%current - contacts%voltage_gap/contacts%resistance
-   end function spot_imbalance
-
-   !> `sum V I` over what comes in, less the heat in elements and spots [W].
-   pure real(dp) function power_imbalance(state) result(left)
-      type(state_t), intent(in) :: state
-
-      left = sum(state%value(current_slot, :)*(state%reaction(current_slot, :) + state%load(current_slot, :))) &
-         - sum(state%joule_heat) - sum(state%contacts%joule_heat)
-   end function power_imbalance
-
-   !> What comes in at nodes and on the length of the wires and is not stored [W].
-   pure real(dp) function heat_imbalance(state) result(left)
-      type(state_t), intent(in) :: state
-
-      left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :) + state%outer_force(heat_slot, :)) &
-         + sum(state%heat_made) &
-         + sum(state%contacts%heat_bar + state%contacts%heat) - sum(state%surface_heat) - sum(state%heat_stored)
-   end function heat_imbalance
-
-   !> What the currents that are left over, and the round-off of those fed in, make of the power at most [W].
-   pure real(dp) function power_left_over(state, residual) result(left)
-      type(state_t), intent(in) :: state
-      !> Current that is left over at each node (n_nodes) [A]
-      real(dp), intent(in) :: residual(:)
-
-      left = sum(abs(state%value(current_slot, :))*(residual + epsilon(1.0_dp)*abs(state%load(current_slot, :))))
-   end function power_left_over
 
    !> A contact whose axes are on the wrong side of each other, where the deck does not allow that; 0: none.
    pure integer function crossed_contact(model, contacts) result(i)

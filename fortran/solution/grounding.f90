@@ -5,6 +5,7 @@
 !> contact stays as it was, whatever the iteration has made of it meanwhile. A part into which a flux is fed is held,
 !> too, as the iteration may connect it still; a converged state cannot have one. Temperatures that float are an error.
 module litz_grounding
+   use litz_conduction, only: surface_conducts
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_input
    use litz_fields, only: fields, n_fields, field_temperature, dof_range, first_slot
@@ -29,16 +30,35 @@ contains
          if (.not. fields(field)%is_level) cycle
          if (problem%equations%count(fields(field)%group) > 0) call ground_field(problem, field)
       end do
-      if (problem%fed_node > 0 .and. .not. problem%contact%present) error = fail(exit_input, describe_fed_part(problem))
+      if (problem%fed_node > 0 .and. .not. may_close(problem)) error = fail(exit_input, describe_fed_part(problem))
    end subroutine ground_floating_parts
+
+   !> Contacts that may close yet could lead the flux to what is prescribed.
+   pure logical function may_close(problem)
+      type(problem_t), intent(in) :: problem
+      integer :: i
+
+      may_close = problem%contact%present .or. any([(surface_conducts(problem%model, i, problem%fed_field), &
+         i=1, size(problem%model%surfaces))])
+   end function may_close
 
    !> Into what a flux is fed that floats; empty: nothing.
    function describe_fed_part(problem) result(text)
       type(problem_t), intent(in) :: problem
       character(len=:), allocatable :: text
+      integer :: surface
 
       text = ''
       if (problem%fed_node == 0) return
+      surface = findloc(problem%model%surfaces%node, problem%fed_node, 1)
+      if (surface > 0 .and. .not. any(problem%model%connectivity == problem%fed_node)) then
+         text = 'the '//trim(fields(problem%fed_field)%name)//' of the rigid surface '// &
+            problem%model%surfaces(surface)%name//' is not determined: prescribe degree of freedom '// &
+            dof_range(problem%fed_field)//' of its reference node '// &
+            to_text(problem%model%node_id(problem%fed_node))// &
+            ' (*BOUNDARY); no wire that it touches has a prescribed one'
+         return
+      end if
       if (problem%fed_field == field_temperature) then
          text = 'the temperature of the wires at node '//to_text(problem%model%node_id(problem%fed_node))// &
             ' is not determined: they have no prescribed temperature (*BOUNDARY, degree of freedom '// &

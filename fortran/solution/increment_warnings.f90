@@ -11,7 +11,7 @@ module litz_increment_warnings
    use litz_line_contact, only: serves_lines
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
-   use litz_state, only: contact_t
+   use litz_state, only: contact_t, surface_contact_t
    use litz_step_end, only: reaches_end, fastest_change
    use litz_problem, only: problem_t
    use litz_text, only: to_text
@@ -102,6 +102,9 @@ contains
          call add_not_steady(problem)
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
+         end do
+         do i = 1, size(state%surface_contacts)
+            call add_table_ends_on_surface(problem%model, state%surface_contacts(i), warnings)
          end do
          call add_tight_bends(problem)
          call add_long_elements(problem)
@@ -262,33 +265,56 @@ contains
       ! no force: the end of a line beside it
       if (.not. contact%force > 0) return
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction))
-         if (law%spot%has_table .and. contact%resistance <= huge(1.0_dp)) call add_table_end(model, contact, &
-            law%spot%table(1, :), 'resistance', law%spot%is_per_length, law%spot_memory, elements, warnings)
+         if (law%spot%has_table .and. contact%resistance <= huge(1.0_dp)) call add_table_end(model, &
+            describe_contact(model, contact), contact%force, merge(contact%length, -1.0_dp, law%spot%is_per_length), &
+            law%spot%table(1, :), 'resistance', law%spot_memory, elements, warnings)
          if (law%heat%has_table .and. abs(contact%heat_bar) + abs(contact%heat) > 0) call add_table_end(model, &
-            contact, law%heat%table(1, :), 'heat conductance', law%heat%is_per_length, .false., elements, warnings)
+            describe_contact(model, contact), contact%force, merge(contact%length, -1.0_dp, law%heat%is_per_length), &
+            law%heat%table(1, :), 'heat conductance', .false., elements, warnings)
       end associate
    end subroutine add_table_ends
 
-   subroutine add_table_end(model, contact, forces, what, is_per_length, is_remembered, elements, warnings)
+   !> An element on a rigid surface with such a force per length, in the mean.
+   subroutine add_table_ends_on_surface(model, contact, warnings)
       type(model_t), intent(in) :: model
-      type(contact_t), intent(in) :: contact
+      type(surface_contact_t), intent(in) :: contact
+      type(run_warnings_t), intent(inout) :: warnings
+      character(len=:), allocatable :: words
+
+      associate (pair => model%surface_pairs(contact%pair), element => model%element_id(contact%element))
+         words = 'element '//to_text(element)//' on the rigid surface '//model%surfaces(pair%surface)%name
+         associate (law => model%interactions(pair%interaction))
+            if (law%spot%has_table .and. contact%conductance > 0) call add_table_end(model, words, contact%force, &
+               contact%length, law%spot%table(1, :), 'resistance', .false., [element], warnings)
+            if (law%heat%has_table .and. abs(contact%heat) > 0) call add_table_end(model, words, contact%force, &
+               contact%length, law%heat%table(1, :), 'heat conductance', .false., [element], warnings)
+         end associate
+      end associate
+   end subroutine add_table_ends_on_surface
+
+   subroutine add_table_end(model, words, contact_force, length, forces, what, is_remembered, elements, warnings)
+      type(model_t), intent(in) :: model
+      !> The contact
+      character(len=*), intent(in) :: words
+      !> Its force [N], and the length to which forces of the table refer [m]; negative: they are those of contacts
+      real(dp), intent(in) :: contact_force, length
       !> Of the table (n) [N, N/m]
       real(dp), intent(in) :: forces(:)
       !> What it gives
       character(len=*), intent(in) :: what
-      !> Forces are per length; a value stays under a falling force
-      logical, intent(in) :: is_per_length, is_remembered
-      !> The user's numbers of its elements
-      integer, intent(in) :: elements(2)
+      !> A value stays under a falling force
+      logical, intent(in) :: is_remembered
+      !> The user's numbers of its elements (n)
+      integer, intent(in) :: elements(:)
       type(run_warnings_t), intent(inout) :: warnings
       character(len=:), allocatable :: unit
       real(dp) :: first, last, factor, force
 
-      force = contact%force
+      if (.not. abs(length) > 0) return
+      force = contact_force
       unit = 'N'
-      if (is_per_length) then
-         if (.not. contact%length > 0) return
-         force = force/contact%length
+      if (length > 0) then
+         force = force/length
          unit = 'N/m'
       end if
       if (size(forces) < 2) return
@@ -297,7 +323,7 @@ contains
       factor = force/last
       if (.not. is_remembered) factor = max(factor, first/force)
       if (factor <= 1) return
-      call warnings%add('outside_table', describe_contact(model, contact)//' has a force of '//to_text(force)// &
+      call warnings%add('outside_table', words//' has a force of '//to_text(force)// &
          model%units%after(unit)//', outside the table of its '//what//' (from '//to_text(first)//' to '// &
          to_text(last)//model%units%after(unit)//'), which is continued there as a power law', elements, &
          factor, 'times beyond the table')

@@ -12,7 +12,7 @@ module litz_rubbing
    use litz_kinds, only: dp
    implicit none
    private
-   public :: rubbing_t, is_abrupt, add_friction_heat
+   public :: rubbing_t, is_abrupt, add_friction_heat, power_of
 
    !> The rate at a contact has jumped when it changes by this part of the larger one; contacts of less than this part
    !> of all heat do not count
@@ -27,6 +27,8 @@ module litz_rubbing
       real(dp) :: share(2) = 0.5_dp
       !> Heat that friction makes in this increment and made in the last one [J]
       real(dp) :: heat = 0, heat_before = 0
+      !> Node of a rigid surface with a temperature; 0: none
+      integer :: node = 0
    end type rubbing_t
 
 contains
@@ -43,6 +45,17 @@ contains
       is_abrupt = any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
          least_part*sum(max(now, earlier)))
    end function is_abrupt
+
+   !> (1) [W].
+   pure real(dp) function power_of(rubbing, weights, increment) result(power)
+      type(rubbing_t), intent(in) :: rubbing
+      !> a and b
+      real(dp), intent(in) :: weights(2)
+      !> [s]
+      real(dp), intent(in) :: increment
+
+      power = (weights(1)*rubbing%heat - weights(2)*rubbing%heat_before)/increment
+   end function power_of
 
    !> What the nodes get of (1); `made` is the same by elements.
    pure subroutine add_friction_heat(rubbing, connectivity, weights, increment, leaving, made)
@@ -64,7 +77,7 @@ contains
          do side = 1, 2
             associate (xi => rubbing(i)%xi(side), e => rubbing(i)%element(side))
                if (e == 0) cycle
-               heat = rubbing(i)%share(side)*(weights(1)*rubbing(i)%heat - weights(2)*rubbing(i)%heat_before)/increment
+               heat = rubbing(i)%share(side)*power_of(rubbing(i), weights, increment)
                associate (nodes => connectivity(:, e))
                   leaving(nodes) = leaving(nodes) - heat*[1 - xi, 1 + xi]/2
                end associate

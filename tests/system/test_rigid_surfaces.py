@@ -379,6 +379,8 @@ def test_a_wire_does_not_pass_through_a_drum(run):
         ("0, 0, 0, 0, 0, 1\n", "0, 0, 1e-4, 0, 0, 1\n", "overlaps the rigid surface S at the start by 10 %"),
         ("TYPE=PLANE", "TYPE=BORE", "radius"),
         ("INTERACTION=IS\n", "INTERACTION=IS, INTERFERENCE FIT\n", "INTERFERENCE FIT is for wires"),
+        (STIFF, f"{STIFF}*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ\n", "has *GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ"),
+        (STIFF, f"{STIFF}*GAP CONDUCTANCE, LAW=METAL\n", "has *GAP CONDUCTANCE, LAW=METAL"),
     ],
 )
 def test_what_is_wrong_with_a_surface_is_said(run, old, new, message):

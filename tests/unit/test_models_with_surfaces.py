@@ -97,7 +97,18 @@ def test_a_linear_law_has_a_penalty_for_crossings_for_lines_or_both():
         ("model.plane('P', (0, 0, 0), (0, 0, 1), reference=99)", "there are nodes 1 to 11, not 99"),
         ("model.fix(table)", "the surface TABLE is fixed in space"),
         ("model.contact(table, wire)", "the wires come first"),
-        ("model.contact(wire, table, conductance=litz.HertzSpot())", "no current passes to the rigid surface TABLE"),
+        (
+            "model.contact(wire, table, conductance=litz.HertzSpot())",
+            "current passes to the rigid surface TABLE along a line",
+        ),
+        (
+            "model.contact(wire, table, interaction=litz.Interaction(conductance=litz.HertzSpot()))",
+            "possible are ConstantSpot and TableSpot with per_length=True",
+        ),
+        (
+            "model.contact(wire, table, heat=litz.GapConductance('METAL'))",
+            "heat passes to the rigid surface TABLE along a line",
+        ),
         ("model.contact(wire, table, behaviour=litz.Linear(1e5))", "along a line: Linear needs its line_penalty"),
         ("model.contact(wire, table, interference_fit=True)", "interference_fit is for wires"),
         ("model.contact(wire, other)", "the rigid surface TABLE belongs to another model"),

@@ -205,6 +205,8 @@ program test_tangents
    call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
    call check_element_loads()
    call check_equations()
+   call check_flows_to_surfaces('CONSTANT', '1e-3'//nl, 'CONSTANT', '20'//nl)
+   call check_flows_to_surfaces('TABLE', '10, 1e-3'//nl//'1e4, 2e-4'//nl, 'TABLE', '10, 2'//nl//'1e4, 30'//nl)
    do term = 1, size(has_added)
       if (has_added(term)) cycle
       failures = failures + 1
@@ -774,6 +776,37 @@ contains
          call compare(name, problem, exact, part, warmer=1.0_dp)
       end do
    end subroutine check_shared
+
+   !> Current and heat into each surface, by conductances per length; alone and with motions in one Newton step. Motions
+   !> are small: where the wire touches at a small angle the ends of what touches move far.
+   subroutine check_flows_to_surfaces(electric_law, electric_data, heat_law, heat_data)
+      character(len=*), intent(in) :: electric_law, electric_data, heat_law, heat_data
+      character(len=*), parameter :: shape(3) = [character(len=8) :: 'PLANE', 'CYLINDER', 'BORE']
+      character(len=*), parameter :: place(3) = [character(len=48) :: '0, 0, -1.02e-3, 2e-4, -0.005, 1', &
+         '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '0, 0, 8.93e-3, 1, 0.02, 0, 10e-3']
+      character(len=*), parameter :: stiff = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7, 1e10'//nl
+      character(len=*), parameter :: warm = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'11, 11, 11, 303'//nl
+      type(problem_t) :: problem
+      character(len=:), allocatable :: current, heat_words
+      integer :: i, trial
+
+      current = '*GAP ELECTRICAL CONDUCTANCE, PER=LENGTH, LAW='//electric_law//nl//electric_data
+      heat_words = '*GAP CONDUCTANCE, PER=LENGTH, LAW='//heat_law//nl//heat_data
+      do i = 1, size(shape)
+         call check_terms('current into a surface, '//electric_law//', '//trim(shape(i)), 'B33', 'B33', &
+            surfaces(trim(shape(i)), trim(place(i)), law=stiff//current), '', '', exact, 0.1_dp)
+         expansion = '*CONDUCTIVITY'//nl//'400'//nl
+         call solve_first_step(coupled(deck_of('B33', 'B33', surfaces(trim(shape(i)), trim(place(i)), &
+            law=stiff//current//heat_words), '', warm, '*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl// &
+            '1, 300'//nl)), problem)
+         expansion = ''
+         problem%coupled_step = .true.
+         do trial = 1, 3
+            call compare('heat into a surface, '//heat_law//', '//trim(shape(i)), problem, exact, 0.03_dp, &
+               warmer=1.0_dp)
+         end do
+      end do
+   end subroutine check_flows_to_surfaces
 
    !> A deck whose last step solves for motions, potentials and temperatures at once.
    function coupled(deck) result(cards)

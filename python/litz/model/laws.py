@@ -138,6 +138,8 @@ class _Spot(_Law):
         law, rows = self._law()
         usual = {"voltage": "CORRECTED", "spot": "PRESENT FORCE", "mutual_resistance": "NO", "supertemperature": "NO"}
         parameters = {"LAW": law, **_unless(self, **usual)}
+        if getattr(self, "per_length", False):
+            parameters["PER"] = "LENGTH"
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
     def _law(self) -> tuple[str, list[list[float]]]:
@@ -239,9 +241,12 @@ class ConstantSpot(_Spot):
     ----------
     resistance : float
         Resistance of a contact [ohm].
+    per_length : bool
+        It is resistance times length [ohm m], of wires that touch along lines and on rigid surfaces.
     """
 
     resistance: float
+    per_length: bool = field(default=False, kw_only=True)
 
     def _law(self) -> tuple[str, list[list[float]]]:
         return "CONSTANT", [[self.resistance]]
@@ -257,10 +262,14 @@ class TableSpot(_Spot):
         Contact forces, ascending [N].
     resistance : sequence of float
         Resistance of a contact at each [ohm].
+    per_length : bool
+        Forces are per length [N/m], and resistances times length [ohm m], of wires that touch along lines and on rigid
+        surfaces.
     """
 
     force: Sequence[float]
     resistance: Sequence[float]
+    per_length: bool = field(default=False, kw_only=True)
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -322,7 +331,8 @@ class GapConductance(_Law):
     may_melt : bool
         A spot that melts is a warning, too.
     per_length : bool
-        The heat conductance, and the force of TABLE, are per length of wires that touch along lines.
+        The heat conductance, and the force of TABLE, are per length of wires that touch along lines and on rigid
+        surfaces.
     """
 
     law: str = "CONDUCTIVITY"

@@ -88,7 +88,7 @@ class LoadedModel(SurfaceModel):
         ----------
         first, second : WireGroup, str, or sequence of them
             Groups or element sets; of several an element set is made. `second` can be a rigid surface, on which wires
-            lie along lines and to which no current passes.
+            lie along lines: current and heat pass to its reference node by laws with `per_length=True`.
         behaviour : Hertz, Linear or NamedBehaviour, optional
             Contact force over penetration; Hertz when left out.
         conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, SharvinSpot, ClusterSpot, ConstantSpot or TableSpot, optional
@@ -119,7 +119,7 @@ class LoadedModel(SurfaceModel):
             raise ValueError(f"the wires come first, then the rigid surface that they touch, not {first!r}")
         surface = self._surface_of(second)
         if surface is not None:
-            _check_surface_laws(surface, conductance, interaction.behaviour, interference_fit)
+            _check_surface_laws(surface, interaction, interference_fit)
         sets = [self._joined(elements) for elements in (first, surface or second) if elements is not None]
         if any({known.first, known.second or known.first} == set(sets) for known in self.contacts):
             raise ValueError(f"there is a contact of {' with '.join(sets)} already")
@@ -394,16 +394,23 @@ class LoadedModel(SurfaceModel):
         return list(dict.fromkeys(pair.interaction for pair in self.contacts))
 
 
-def _check_surface_laws(
-    surface: RigidSurface,
-    conductance: _Spot | None,
-    behaviour: Hertz | Linear | NamedBehaviour,
-    interference_fit: bool,
-) -> None:
+def _check_surface_laws(surface: RigidSurface, laws: Interaction, interference_fit: bool) -> None:
     """What a contact with a rigid surface cannot have."""
-    if conductance is not None:
-        raise ValueError(f"no current passes to the rigid surface {surface.name}: leave out conductance")
-    if isinstance(behaviour, Linear) and behaviour.line_penalty is None:
+    passed = {"current": laws.conductance, "heat": laws.heat}
+    for flow, law in passed.items():
+        if law is None:
+            continue
+        if not getattr(law, "per_length", False):
+            words = "ConstantSpot and TableSpot" if flow == "current" else "GapConductance('CONSTANT') and ('TABLE')"
+            raise ValueError(
+                f"{flow} passes to the rigid surface {surface.name} along a line: possible are {words} with per_length=True, "
+                f"not {law!r}"
+            )
+        if surface.node is None:
+            raise ValueError(
+                f"{flow} passes to the reference node of the rigid surface {surface.name}: give it a reference"
+            )
+    if isinstance(laws.behaviour, Linear) and laws.behaviour.line_penalty is None:
         raise ValueError(f"a wire touches the rigid surface {surface.name} along a line: Linear needs its line_penalty")
     if interference_fit:
         raise ValueError("interference_fit is for wires; move a rigid surface against the wires by its reference node")

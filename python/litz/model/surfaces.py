@@ -13,7 +13,7 @@ from ..deck.lines import CardSpec
 
 @dataclass(frozen=True)
 class RigidSurface:
-    """A rigid, insulating, endless surface that wires can touch, made by `Model.plane`, `Model.cylinder` and `Model.bore`.
+    """A rigid, endless surface that wires can touch, made by `Model.plane`, `Model.cylinder` and `Model.bore`.
 
     Where a model takes nodes, to hold, move, turn or load them, the surface stands for its reference node.
 
