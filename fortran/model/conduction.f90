@@ -45,13 +45,16 @@ contains
       integer, intent(in) :: surface, field
       integer :: pair, i
 
-      surface_conducts = .false.
+      surface_conducts = .true.
       do pair = 1, size(model%surface_pairs)
          if (model%surface_pairs(pair)%surface /= surface .or. .not. passes_to_surface(model, pair, field)) cycle
          associate (members => model%element_sets(model%surface_pairs(pair)%set)%members)
-            surface_conducts = surface_conducts .or. any([(conducts(model, members(i), field), i=1, size(members))])
+            do i = 1, size(members)
+               if (conducts(model, members(i), field)) return
+            end do
          end associate
       end do
+      surface_conducts = .false.
    end function surface_conducts
 
    !> What of an interaction has no meaning on a rigid surface, and what is possible instead; empty: nothing.

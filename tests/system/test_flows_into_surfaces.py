@@ -160,6 +160,17 @@ def test_a_force_beyond_the_table_is_a_warning(run):
     assert "on the rigid surface PLATE has a force of" in warnings[0].message
 
 
+def test_a_warm_wire_cools_on_a_plate_by_an_exponential(litz, tmp_path):
+    """rho c A dT/dt = -h' (T - T0). Increments that are each exact to 1e-4 K."""
+    storage = "*DENSITY\n8960\n*SPECIFIC HEAT\n385\n*BEAM SECTION"
+    time = 8960 * 385 * AREA / H
+    procedure = f"*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, ERROR=1e-4\n{time / 1000}, {time}"
+    text = deck(HEAT, "99, 11, 11, 20\n1, 9\n", elements=2, procedure=procedure)
+    text = text.replace("*BEAM SECTION", storage, 1).replace("WIRE, 20\n", "WIRE, 120\n", 1)
+    results = run_of_deck(litz, tmp_path, lambda: text)()
+    np.testing.assert_allclose(along(results, "NT", 2), 20 + 100 * np.exp(-1), atol=0.01)
+
+
 # Surfaces as conductors
 
 

@@ -275,7 +275,7 @@ contains
       state%reaction(7, 1) = i
       state%reaction(7, 3) = -i
       state%element_current = [i/2, -i/2]
-      allocate (state%contacts(1))
+      allocate (state%contacts(1), state%surface_contacts(0))
       associate (c => state%contacts(1))
          c%id = 7
          c%pair = 1

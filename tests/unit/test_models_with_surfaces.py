@@ -76,6 +76,25 @@ def test_the_program_reads_what_a_model_says_of_surfaces(litz_program, tmp_path)
         assert name in done.stdout
 
 
+def test_current_and_heat_pass_to_the_reference_node_of_a_surface(litz_program, tmp_path):
+    model, wire = beam()
+    plate = model.plane("PLATE", (0, 0, -1e-3), (0, 0, 1), reference=(0, 0, -2e-3))
+    heat = litz.GapConductance("TABLE", [[100, 1], [1000, 5]], per_length=True)
+    model.contact(wire, plate, conductance=litz.ConstantSpot(1e-4, per_length=True), heat=heat)
+    model.fix(wire.ends)
+    model.fix(plate)
+    model.fix(plate, "potential")
+    model.step()
+    deck = deck_of(model)
+    assert deck.card("GAP ELECTRICAL CONDUCTANCE")["PER"] == deck.card("GAP CONDUCTANCE")["PER"] == "LENGTH"
+    done = subprocess.run(
+        [litz_program, "check", model.write(tmp_path / "deck.inp")], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "the rigid surface PLATE: TOUCH, Hermite axis" in done.stdout
+    assert "spot CONSTANT with R_c = 1e-04" in done.stdout
+
+
 def test_a_linear_law_has_a_penalty_for_crossings_for_lines_or_both():
     assert litz.Linear(1e5).card()[2] == [[1e5]]
     assert litz.Linear(1e5, line_penalty=1e10).card()[2] == [[1e5, 1e10]]
@@ -108,6 +127,10 @@ def test_a_linear_law_has_a_penalty_for_crossings_for_lines_or_both():
         (
             "model.contact(wire, table, heat=litz.GapConductance('METAL'))",
             "heat passes to the rigid surface TABLE along a line",
+        ),
+        (
+            "model.contact(wire, table, conductance=litz.ConstantSpot(1e-3, per_length=True))",
+            "current passes to the reference node of the rigid surface TABLE: give it a reference",
         ),
         ("model.contact(wire, table, behaviour=litz.Linear(1e5))", "along a line: Linear needs its line_penalty"),
         ("model.contact(wire, table, interference_fit=True)", "interference_fit is for wires"),

@@ -137,9 +137,8 @@ class _Spot(_Law):
         """The card of the law."""
         law, rows = self._law()
         usual = {"voltage": "CORRECTED", "spot": "PRESENT FORCE", "mutual_resistance": "NO", "supertemperature": "NO"}
-        parameters = {"LAW": law, **_unless(self, **usual)}
-        if getattr(self, "per_length", False):
-            parameters["PER"] = "LENGTH"
+        per = {"PER": "LENGTH"} if getattr(self, "per_length", False) else {}
+        parameters = {"LAW": law, **_unless(self, **usual), **per}
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
     def _law(self) -> tuple[str, list[list[float]]]:
@@ -263,8 +262,7 @@ class TableSpot(_Spot):
     resistance : sequence of float
         Resistance of a contact at each [ohm].
     per_length : bool
-        Forces are per length [N/m], and resistances times length [ohm m], of wires that touch along lines and on rigid
-        surfaces.
+        Forces are per length [N/m], resistances times length [ohm m], of wires that touch along lines and on rigid surfaces.
     """
 
     force: Sequence[float]
@@ -331,8 +329,7 @@ class GapConductance(_Law):
     may_melt : bool
         A spot that melts is a warning, too.
     per_length : bool
-        The heat conductance, and the force of TABLE, are per length of wires that touch along lines and on rigid
-        surfaces.
+        The heat conductance, and the force of TABLE, are per length of wires that touch along lines and on rigid surfaces.
     """
 
     law: str = "CONDUCTIVITY"
@@ -350,12 +347,11 @@ class GapConductance(_Law):
 
     def card(self) -> CardSpec:
         """The card of the law."""
-        given = {"LORENZ": self.lorenz, "TSOFT": self.softening, "TMELT": self.melting}
+        per = "LENGTH" if self.per_length else None
+        given = {"LORENZ": self.lorenz, "TSOFT": self.softening, "TMELT": self.melting, "PER": per}
         parameters = {"LAW": self.law.upper(), **{name: value for name, value in given.items() if value is not None}}
         if self.may_melt:
             parameters["MELTING"] = "WARN"
-        if self.per_length:
-            parameters["PER"] = "LENGTH"
         return "GAP CONDUCTANCE", parameters, [list(row) for row in self.data]
 
 

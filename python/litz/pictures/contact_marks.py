@@ -110,10 +110,10 @@ class ContactMarks:
         self.line_title = label("force per length", unit) if has_lines else ""
 
     def _sizes(self, increment: int) -> np.ndarray:
-        """What sizes the discs: first of crossings, then of contacts with rigid surfaces, where no current passes."""
+        """What sizes the discs: first of crossings, then of contacts with rigid surfaces."""
         surfaces = self._surfaces[increment]
-        on_surfaces = surfaces["force"] if surfaces.n_rows and self._by == "force" else np.zeros(surfaces.n_rows)
-        return np.concatenate([np.abs(self._crossings[increment][self._by]), on_surfaces])
+        on_surfaces = surfaces[self._by] if surfaces.n_rows and self._by in surfaces else np.zeros(surfaces.n_rows)
+        return np.concatenate([np.abs(self._crossings[increment][self._by]), np.abs(on_surfaces)])
 
     def spots(self, increment: int, curves: tuple[np.ndarray, np.ndarray]) -> tuple[Spots, np.ndarray]:
         """Places of the discs, and their drawn radii (m); their areas are proportional to current or force."""
