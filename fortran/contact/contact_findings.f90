@@ -8,7 +8,7 @@ module litz_contact_findings
    public :: finding_t, worse_of
    public :: finding_none, finding_deep, finding_missed, finding_second, finding_joined, finding_end, finding_kink, &
       finding_line, finding_tight, finding_departed, finding_passed, finding_turned, finding_unfollowed, &
-      finding_surface_deep, finding_surface_passed
+      finding_surface_deep, finding_surface_passed, finding_surface_turned
 
    !> From harmless to serious: of two findings the later one is reported
    integer, parameter :: finding_none = 0
@@ -27,8 +27,9 @@ module litz_contact_findings
    integer, parameter :: finding_departed = 11
    !> A contact slides so far in the increment that it may be any of several
    integer, parameter :: finding_unfollowed = 12
-   !> A wire and a rigid surface overlap by more than is allowed; it would have passed through the surface
-   integer, parameter :: finding_surface_deep = 13, finding_surface_passed = 14
+   !> A wire and a rigid surface overlap by more than is allowed; it would have passed through the surface; the surface
+   !> turned so far that the way of what it touches is not known
+   integer, parameter :: finding_surface_deep = 13, finding_surface_passed = 14, finding_surface_turned = 15
 
    type :: finding_t
       integer :: kind = finding_none
@@ -77,7 +78,7 @@ contains
       class(finding_t), intent(in) :: self
 
       can_be_cut = any(self%kind == [finding_passed, finding_missed, finding_turned, finding_departed, &
-         finding_unfollowed, finding_surface_passed])
+         finding_unfollowed, finding_surface_passed, finding_surface_turned])
    end function can_be_cut
 
    !> What was found, with the two elements.
@@ -97,6 +98,9 @@ contains
       case (finding_surface_passed)
          text = pair//': the wire would pass through it, or slide round it by more than a'// &
             ' right angle, in this increment'
+      case (finding_surface_turned)
+         text = 'the rigid surface '//model%surfaces(self%surface)%name//' turns by more than 90 degrees in this'// &
+            ' increment: contacts along the way cannot be determined'
       case (finding_deep)
          text = pair//depth//', 5 % are allowed'
       case (finding_second)
@@ -140,7 +144,7 @@ contains
       case (finding_surface_deep)
          text = 'The force is too large for this wire, or its contact too soft (second number of LINEAR in'// &
             ' *SURFACE BEHAVIOR). '
-      case (finding_surface_passed)
+      case (finding_surface_passed, finding_surface_turned)
          text = 'Begin with a smaller increment (first value of '//procedure//'). '
       case (finding_deep)
          text = 'The '//trim(self%law_title)//' is valid for smaller overlaps: the force is too large for these wires. '

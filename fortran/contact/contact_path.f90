@@ -2,7 +2,8 @@
 !>
 !> The chord of each element turns and stretches uniformly. A wire is put together from its chords, from the node on
 !> that moves least, which goes straight on: wires that turn keep their lengths, which they would not if each node
-!> went straight. The way is cut into legs so short that within one of them nodes do go straight.
+!> went straight. Nodes of a rigid body go round its reference node, which goes straight on, and with them the wires
+!> that they are on. The way is cut into legs so short that within one of them nodes do go straight.
 module litz_contact_path
    use litz_kinds, only: dp
    use litz_element_library, only: elements_t
@@ -11,7 +12,7 @@ module litz_contact_path
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: contact_path_t, find_path
+   public :: contact_path_t, find_path, legs_of_arc
 
    !> Straight legs leave the way by this part of the radius at most
    real(dp), parameter :: leg_tolerance = 0.1_dp
@@ -29,6 +30,8 @@ module litz_contact_path
       real(dp), allocatable :: x_start(:, :), x_end(:, :), rotation_start(:, :, :)
       !> Rotation vector of each node over the increment (3, n_nodes) [rad]
       real(dp), allocatable :: turn(:, :)
+      !> Reference node of the rigid body of each node; 0: it is in none (n_nodes)
+      integer, allocatable :: reference(:)
       !> How each chord turns: with the mean of its nodes, and by what is left (3, n_elements) [rad]
       real(dp), allocatable :: chord_turn(:, :), chord_rest(:, :)
    contains
@@ -61,6 +64,7 @@ contains
          path%turn(:, node) = nearest_rotation_vector( &
             matmul(rotation_end(:, :, node), transpose(rotation_start(:, :, node))), turn(:, node))
       end do
+      path%reference = references(model, size(x_start, 2))
       allocate (path%chord_turn(3, model%n_elements), path%chord_rest(3, model%n_elements))
       do e = 1, model%n_elements
          associate (nodes => model%connectivity(:, e))
@@ -76,10 +80,54 @@ contains
             if (angle > max_turn) path%turned_element = members(1)
             ! an arc of this angle and of the length of the wire leaves its chord by length angle^2/8
             longest = sqrt(8*leg_tolerance*minval(elements%radius(members))/sum(elements%length(members)))
-            path%n_legs = max(path%n_legs, ceiling(min(angle/longest, real(max_legs, dp))))
+            path%n_legs = max(path%n_legs, ceiling(min(angle/longest, real(max_legs, dp))), &
+               legs_of_bodies(path, [model%connectivity(:, members)], minval(elements%radius(members))))
          end associate
       end do
    end subroutine find_path
+
+   !> Reference nodes of the rigid bodies that nodes are in (n_nodes).
+   pure function references(model, n_nodes) result(reference)
+      type(model_t), intent(in) :: model
+      !> Number of nodes
+      integer, intent(in) :: n_nodes
+      integer :: reference(n_nodes)
+      integer :: i
+
+      reference = 0
+      do i = 1, size(model%rigid_bodies)
+         associate (body => model%rigid_bodies(i))
+            reference(body%tied) = body%reference_node
+            reference(body%pinned) = body%reference_node
+         end associate
+      end do
+   end function references
+
+   !> Straight legs for nodes that go round reference nodes.
+   pure integer function legs_of_bodies(path, nodes, radius) result(n_legs)
+      type(contact_path_t), intent(in) :: path
+      !> Of a wire (n)
+      integer, intent(in) :: nodes(:)
+      !> Of the wire [m]
+      real(dp), intent(in) :: radius
+      integer :: k
+
+      n_legs = 1
+      do k = 1, size(nodes)
+         associate (centre => path%reference(nodes(k)))
+            if (centre > 0) n_legs = max(n_legs, legs_of_arc(norm2(path%turn(:, centre)), &
+               norm2(path%x_start(:, nodes(k)) - path%x_start(:, centre)), radius))
+         end associate
+      end do
+   end function legs_of_bodies
+
+   !> Straight legs for an arc of the angle a and the radius R, which leaves its chord by R a^2/8.
+   pure integer function legs_of_arc(angle, radius, radius_of_wire) result(n_legs)
+      !> [rad], [m], [m]
+      real(dp), intent(in) :: angle, radius, radius_of_wire
+
+      n_legs = max(1, ceiling(min(angle*sqrt(radius/(8*leg_tolerance*radius_of_wire)), real(max_legs, dp))))
+   end function legs_of_arc
 
    !> Rotation vector of the smallest turn from one direction to another.
    pure function turn_between(a, b) result(turn)
@@ -100,16 +148,35 @@ contains
       !> 0: start of the increment, 1: its end
       real(dp), intent(in) :: time
       real(dp) :: x(3, size(self%x_start, 2))
-      integer :: w
+      integer :: w, node
 
       x = (1 - time)*self%x_start + time*self%x_end
       if (self%n_legs == 1 .or. time <= 0 .or. time >= 1) return
+      do node = 1, size(x, 2)
+         if (self%reference(node) > 0) x(:, node) = in_body(self, node, time)
+      end do
       do w = 1, wires%n_wires
          call put_together(self, model, wires, w, time, x)
       end do
    end function positions
 
-   !> Put a wire together from its chords.
+   !> A node of a rigid body at a time from 0 to 1 (3) [m].
+   pure function in_body(path, node, time) result(x)
+      type(contact_path_t), intent(in) :: path
+      !> Index of the node
+      integer, intent(in) :: node
+      !> 0: start of the increment, 1: its end
+      real(dp), intent(in) :: time
+      real(dp) :: x(3)
+
+      associate (centre => path%reference(node))
+         x = (1 - time)*path%x_start(:, centre) + time*path%x_end(:, centre) &
+            + matmul(rotation_exp(time*path%turn(:, centre)), path%x_start(:, node) - path%x_start(:, centre))
+      end associate
+   end function in_body
+
+   !> Put a wire together from its chords, between and beyond its nodes in rigid bodies, or from the one that moves
+   !> least.
    pure subroutine put_together(path, model, wires, w, time, x)
       type(contact_path_t), intent(in) :: path
       type(model_t), intent(in) :: model
@@ -118,10 +185,12 @@ contains
       integer, intent(in) :: w
       !> 0: start of the increment, 1: its end
       real(dp), intent(in) :: time
-      !> Positions (3, n_nodes) [m]; in: all nodes gone straight; out: those of this wire put together
+      !> Positions (3, n_nodes) [m]; in: nodes gone straight, or with their rigid bodies; out: those of this wire put
+      !> together
       real(dp), intent(inout) :: x(:, :)
-      real(dp) :: along(3, 0:wires%first(w + 1) - wires%first(w)), gap(3)
-      integer :: nodes(0:wires%first(w + 1) - wires%first(w)), k, n, anchor
+      real(dp) :: along(3, 0:wires%first(w + 1) - wires%first(w)), gap(3), before(3), part
+      integer :: nodes(0:wires%first(w + 1) - wires%first(w)), j, k, n, last
+      logical :: stays(0:wires%first(w + 1) - wires%first(w))
 
       n = wires%first(w + 1) - wires%first(w)
       along(:, 0) = 0
@@ -139,10 +208,22 @@ contains
             along(:, k) = along(:, k) - real(k, dp)/n*gap
          end do
       end if
-      anchor = minloc(norm2(path%x_end(:, nodes) - path%x_start(:, nodes), 1), 1) - 1
-      gap = x(:, nodes(anchor)) - along(:, anchor)
+      stays = path%reference(nodes) > 0
+      if (.not. any(stays)) stays(minloc(norm2(path%x_end(:, nodes) - path%x_start(:, nodes), 1), 1) - 1) = .true.
+      last = -1
       do k = 0, n
-         x(:, nodes(k)) = along(:, k) + gap
+         if (.not. stays(k)) cycle
+         gap = x(:, nodes(k)) - along(:, k)
+         if (last < 0) before = gap
+         do j = last + 1, k - 1
+            part = real(j - last, dp)/(k - last)
+            x(:, nodes(j)) = along(:, j) + (1 - part)*before + part*gap
+         end do
+         last = k
+         before = gap
+      end do
+      do j = last + 1, n
+         x(:, nodes(j)) = along(:, j) + gap
       end do
    end subroutine put_together
 

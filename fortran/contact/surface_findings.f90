@@ -2,18 +2,21 @@
 !> wires that would have passed through a cylinder.
 !>
 !> A plane and a bore have one side only, on which a wire is held wherever it goes. Round a cylinder there are two ways:
-!> a wire that would come near its axis on a straight way through it, as seen from the cylinder, has to go in smaller
-!> steps.
+!> a wire that would come near its axis on its way through it, in legs that are straight as seen from the cylinder, has
+!> to go in smaller steps. Surfaces go as rigid bodies do (litz_contact_path). None may turn so far in an increment that
+!> the side on which a wire is cannot be told from its start and its end.
 module litz_surface_findings
-   use litz_kinds, only: dp
+   use litz_kinds, only: dp, pi
    use litz_axis, only: axis_shape, on_axis
-   use litz_contact_findings, only: finding_t, worse_of, finding_surface_deep, finding_surface_passed
+   use litz_contact_findings, only: finding_t, worse_of, finding_surface_deep, finding_surface_passed, &
+      finding_surface_turned, finding_turned
    use litz_contact_net, only: allowed_penetration
+   use litz_contact_path, only: contact_path_t, legs_of_arc
    use litz_domain, only: domain_t
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell
    use litz_surface_choices, only: surface_cylinder
-   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, axis_moved_by
+   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
    implicit none
    private
    public :: inspect_surfaces, overlaps_of_surfaces
@@ -24,24 +27,106 @@ module litz_surface_findings
    !> Places at which the way of an element is looked at, over its length in radii of the cylinder
    integer, parameter :: places_per_radius = 8
    integer, parameter :: most_places = 1000
+   !> Of a surface in an increment [rad]
+   real(dp), parameter :: most_turn = pi/2
 
 contains
 
    !> The worst of all pairs of a wire and a surface in the present iterate.
-   type(finding_t) function inspect_surfaces(domain) result(worst)
+   type(finding_t) function inspect_surfaces(domain, path) result(worst)
       type(domain_t), intent(in) :: domain
-      integer :: pair, i
+      !> From the start of the increment
+      type(contact_path_t), intent(in) :: path
+      real(dp), allocatable :: x(:, :), x_before(:, :), rotation(:, :, :), rotation_before(:, :, :)
+      integer :: leg, n_legs
 
       worst = overlaps_of_surfaces(domain, allowed_penetration)
+      if (size(domain%model%surface_pairs) == 0) return
+      worst = worse_of(worst, turned_surface(domain, path))
+      if (path%turned_element > 0) worst = worse_of(worst, finding_t(finding_turned, spread(path%turned_element, 1, 2)))
+      if (worst%kind == finding_surface_turned) return
+      if (.not. any(domain%model%surfaces%shape == surface_cylinder)) return
+      n_legs = max(path%n_legs, legs_about_surfaces(domain, path))
+      x = path%positions(domain%model, domain%wires, 0.0_dp)
+      rotation = path%rotations(0.0_dp)
+      do leg = 1, n_legs
+         x_before = x
+         rotation_before = rotation
+         x = path%positions(domain%model, domain%wires, real(leg, dp)/n_legs)
+         rotation = path%rotations(real(leg, dp)/n_legs)
+         worst = worse_of(worst, passed_in_leg(domain, real([leg - 1, leg], dp)/n_legs, x_before, rotation_before, x, &
+            rotation))
+         if (worst%kind == finding_surface_passed) return
+      end do
+   end function inspect_surfaces
+
+   !> A surface that turns too far.
+   pure type(finding_t) function turned_surface(domain, path) result(finding)
+      type(domain_t), intent(in) :: domain
+      type(contact_path_t), intent(in) :: path
+      integer :: pair
+
+      do pair = 1, size(domain%model%surface_pairs)
+         associate (this => domain%model%surface_pairs(pair))
+            associate (node => domain%model%surfaces(this%surface)%node)
+               if (node == 0) cycle
+               if (norm2(path%turn(:, node)) <= most_turn) cycle
+               finding = finding_on(domain, domain%model%element_sets(this%set)%members(1), pair, &
+                  finding_surface_turned)
+            end associate
+         end associate
+      end do
+   end function turned_surface
+
+   !> Straight legs for surfaces that go round their nodes.
+   pure integer function legs_about_surfaces(domain, path) result(n_legs)
+      type(domain_t), intent(in) :: domain
+      type(contact_path_t), intent(in) :: path
+      integer :: pair, i
+
+      n_legs = 1
+      do pair = 1, size(domain%model%surface_pairs)
+         associate (this => domain%model%surface_pairs(pair))
+            associate (node => domain%model%surfaces(this%surface)%node, &
+               members => domain%model%element_sets(this%set)%members)
+               if (node == 0) cycle
+               do i = 1, size(members)
+                  n_legs = max(n_legs, legs_of_arc(norm2(path%turn(:, node)), norm2(path%x_start(:, &
+                     domain%model%connectivity(1, members(i))) - path%x_start(:, node)), &
+                     domain%elements%radius(members(i))))
+               end do
+            end associate
+         end associate
+      end do
+   end function legs_about_surfaces
+
+   !> Whether wires pass through cylinders in a leg.
+   type(finding_t) function passed_in_leg(domain, times, x_before, rotation_before, x, rotation) result(worst)
+      type(domain_t), intent(in) :: domain
+      !> At which it begins and ends, from 0 to 1 in the increment
+      real(dp), intent(in) :: times(2)
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) at its start and at its end
+      real(dp), intent(in) :: x_before(:, :), rotation_before(:, :, :), x(:, :), rotation(:, :, :)
+      type(rigid_surface_t) :: before, now
+      real(dp) :: time(2)
+      integer :: pair, i
+
+      time = domain%loading%converged_time + times*(domain%loading%time - domain%loading%converged_time)
       do pair = 1, size(domain%model%surface_pairs)
          associate (this => domain%model%surface_pairs(pair))
             if (domain%model%surfaces(this%surface)%shape /= surface_cylinder) cycle
+            before = surface_moved_by(domain%model, pair, x_before, rotation_before, time(1))
+            now = surface_moved_by(domain%model, pair, x, rotation, time(2))
             do i = 1, size(domain%model%element_sets(this%set)%members)
-               worst = worse_of(worst, passed(domain, domain%model%element_sets(this%set)%members(i), pair))
+               associate (element => domain%model%element_sets(this%set)%members(i))
+                  if (.not. passed(before, axis_moved_by(domain, element, pair, x_before, rotation_before), now, &
+                     axis_moved_by(domain, element, pair, x, rotation))) cycle
+                  worst = worse_of(worst, finding_on(domain, element, pair, finding_surface_passed))
+               end associate
             end do
          end associate
       end do
-   end function inspect_surfaces
+   end function passed_in_leg
 
    !> The deepest overlap that is deeper than allowed.
    type(finding_t) function overlaps_of_surfaces(domain, allowed) result(worst)
@@ -68,26 +153,20 @@ contains
    end function overlaps_of_surfaces
 
    !> Whether some place of an element comes too near to the axis of a cylinder on its straight way.
-   type(finding_t) function passed(domain, element, pair) result(finding)
-      type(domain_t), intent(in) :: domain
-      !> Element, and index of the pair
-      integer, intent(in) :: element, pair
-      type(rigid_surface_t) :: before, now
-      type(wire_axis_t) :: axis_before, axis_now
+   pure logical function passed(before, axis_before, now, axis_now)
+      !> At the start and at the end of the way
+      type(rigid_surface_t), intent(in) :: before, now
+      type(wire_axis_t), intent(in) :: axis_before, axis_now
       integer :: i, n
       real(dp) :: xi
 
-      before = surface_at_start(domain, pair)
-      now = present_surface(domain, pair)
-      axis_before = axis_moved_by(domain, element, pair, domain%iterate%x_start, domain%state%rotation)
-      axis_now = element_axis(domain, element, pair)
+      passed = .false.
       n = max(2, min(most_places, ceiling(places_per_radius*axis_now%length/now%radius)))
       do i = 0, n
          xi = -1 + 2*real(i, dp)/n
-         if (.not. nearest_distance(across(before, axis_before, xi), across(now, axis_now, xi)) &
-            < nearest_way*(now%radius + axis_now%radius)) cycle
-         finding = finding_on(domain, element, pair, finding_surface_passed)
-         return
+         passed = nearest_distance(across(before, axis_before, xi), across(now, axis_now, xi)) &
+            < nearest_way*(now%radius + axis_now%radius)
+         if (passed) return
       end do
    end function passed
 

@@ -4,11 +4,12 @@ module litz_surface_poses
    use litz_axis, only: axis_polynomial
    use litz_domain, only: domain_t
    use litz_model, only: model_t, radius_at
-   use litz_rigid_surface, only: rigid_surface_t, moved_surface
+   use litz_rigid_surface, only: rigid_surface_t, moved_surface, radial_motion
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    implicit none
    private
-   public :: present_surface, surface_at_start, element_axis, axis_moved_by, surface_node
+   public :: present_surface, surface_at_start, surface_moved_by, element_axis, axis_moved_by, surface_node, &
+      work_of_radii
 
 contains
 
@@ -79,6 +80,21 @@ contains
          axis%p = axis_polynomial(axis%interpolation, axis%length, axis%x, axis%t)
       end associate
    end function axis_moved_by
+
+   !> What surfaces do as their radii change, with the mean of the forces when the increment began and now [J].
+   pure real(dp) function work_of_radii(domain, cells) result(work)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cells(:)
+      integer :: i
+
+      work = 0
+      do i = 1, size(cells)
+         associate (cell => cells(i))
+            work = work + radial_motion(surface_at_start(domain, cell%pair), present_surface(domain, cell%pair)) &
+               *(cell%force + merge(cell%memory%start%force, 0.0_dp, cell%memory%closed))/2
+         end associate
+      end do
+   end function work_of_radii
 
    !> Node of the surface of a cell; 0: it is fixed in space.
    pure integer function surface_node(domain, cell)

@@ -6,7 +6,7 @@ module litz_surface_rubbing
    use litz_conduction, only: surface_conducts
    use litz_domain, only: domain_t
    use litz_element_library, only: material_at
-   use litz_fields, only: field_temperature, motion_slots
+   use litz_fields, only: field_temperature, field_rotation, motion_slots, first_slot, last_slot
    use litz_rigid_surface, only: rigid_surface_t
    use litz_rubbing, only: rubbing_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
@@ -17,7 +17,7 @@ module litz_surface_rubbing
    use litz_wires, only: arc_from_to
    implicit none
    private
-   public :: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
+   public :: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells, rubbing_turn
 
    !> A cell that touched when the increment began.
    type :: touched_t
@@ -146,6 +146,22 @@ contains
          end do
       end associate
    end subroutine take_over
+
+   !> The largest turn in this increment of a surface with friction that touches [rad].
+   pure real(dp) function rubbing_turn(domain, cells) result(turn)
+      type(domain_t), intent(in) :: domain
+      type(surface_cell_t), intent(in) :: cells(:)
+      integer :: i
+
+      turn = 0
+      do i = 1, size(cells)
+         associate (pair => domain%model%surface_pairs(cells(i)%pair), node => surface_node(domain, cells(i)))
+            if (node == 0 .or. .not. cells(i)%force > 0) cycle
+            if (.not. domain%model%interactions(pair%interaction)%friction > 0) cycle
+            turn = max(turn, norm2(domain%iterate%change(first_slot(field_rotation):last_slot(field_rotation), node)))
+         end associate
+      end do
+   end function rubbing_turn
 
    !> What friction has done to a cell in this increment [J].
    pure real(dp) function work_of_friction(domain, cell) result(work)

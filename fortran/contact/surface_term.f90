@@ -15,8 +15,8 @@ module litz_surface_term
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_line_law, only: line_wires_t
+   use litz_model, only: step_t
    use litz_rigid_line, only: relative_curvature_t
-   use litz_rigid_surface, only: radial_motion
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
       laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force
@@ -24,9 +24,11 @@ module litz_surface_term
    use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
    use litz_surface_friction, only: stick_stiffness_of
    use litz_surface_memory, only: recall_memory, keep_memory
-   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, surface_node
-   use litz_surface_rubbing, only: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
+   use litz_surface_poses, only: present_surface, element_axis, surface_node, &
+      work_of_radii
+   use litz_surface_rubbing, only: rubbing_turn, touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
    use litz_term, only: term_t, status_t
+   use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_update
    use litz_wires, only: wires_t
    implicit none
@@ -40,6 +42,8 @@ module litz_surface_term
    integer, parameter :: most_updates = 4
    !> Relative change of the stiffness of a stick that is worth it
    real(dp), parameter :: stick_tolerance = 0.01_dp
+   !> Turn of a surface with friction in an increment, whose chord is 0.3 % short [rad]
+   real(dp), parameter :: most_turn = 0.25_dp
 
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
@@ -58,6 +62,7 @@ module litz_surface_term
       procedure :: predict
       procedure :: settle
       procedure :: add_energies
+      procedure :: bearable_increment
       procedure :: accept
    end type surface_term_t
 
@@ -441,7 +446,7 @@ contains
             > 0, i=1, size(cells))]
          energies%contact = energies%contact + sum(held(1, :)) + sum(cells%memory%start%elastic_energy &
             + cells%friction%elastic_work, mask=cells%force > 0)
-         energies%work = energies%work + sum(cells%friction%work_beyond_mean) + work_of_radii(self, domain)
+         energies%work = energies%work + sum(cells%friction%work_beyond_mean) + work_of_radii(domain, self%cells)
          energies%friction = energies%friction + sum(cells%friction_work)
          energies%yielding = energies%yielding + sum(held(2, :))
          energies%thermal = energies%thermal + work_on_surfaces(domain%model, domain%elements, &
@@ -454,20 +459,19 @@ contains
       end associate
    end subroutine add_energies
 
-   !> What surfaces do as their radii change, with the mean of the forces when the increment began and now [J].
-   pure real(dp) function work_of_radii(self, domain) result(work)
+   !> Surfaces that rub wires turn by 0.25 rad at most: slip is that of the chord.
+   subroutine bearable_increment(self, domain, step, ratio, reason)
       class(surface_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
-      integer :: i
+      type(step_t), intent(in) :: step
+      !> Over the one that has converged
+      real(dp), intent(out) :: ratio
+      !> Why no larger one is, for messages
+      character(len=:), allocatable, intent(out) :: reason
 
-      work = 0
-      do i = 1, size(self%cells)
-         associate (cell => self%cells(i))
-            work = work + radial_motion(surface_at_start(domain, cell%pair), present_surface(domain, cell%pair)) &
-               *(cell%force + merge(cell%memory%start%force, 0.0_dp, cell%memory%closed))/2
-         end associate
-      end do
-   end function work_of_radii
+      reason = 'a rigid surface with friction turns by more than '//to_text(most_turn)//' rad'
+      ratio = most_turn/max(rubbing_turn(domain, self%cells), most_turn/huge(ratio))
+   end subroutine bearable_increment
 
    !> Contacts for the results; surfaces that are fixed in space push from outside.
    subroutine accept(self, domain)

@@ -8,8 +8,8 @@ module litz_foreign_words
    public :: foreign_word_t, foreign_words, foreign_keyword, advice_about, advice_about_more
    public :: role_of, role_procedure, role_idle, role_mesh
 
-   !> What a keyword that litz lacks is about: the model, the analysis of a step, what changes no result of litz, such as
-   !> output: it is ignored with a warning, or nodes and elements
+   !> What a keyword that litz lacks is about: the model, the analysis of a step, what changes no result of litz,
+   !> such as output: it is ignored with a warning, or nodes and elements
    integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2, role_mesh = 3
 
    !> Lists are separated by bars.

@@ -87,8 +87,8 @@ contains
          text = 'Use shorter elements there, each of which bends and twists less. '
       case (cause_singular)
          text = describe_free_unknown(problem)//'Something can move freely, or a voltage is not determined: add'// &
-            ' supports (*BOUNDARY), damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE), or let it overlap'// &
-            ' a little at the start, as a contact that just touches holds nothing. '
+            ' supports (*BOUNDARY), damp what only contacts hold (*CONTROLS, PARAMETERS=STABILIZE), or let it'// &
+            ' overlap a little at the start, as a contact that just touches holds nothing. '
       case (cause_not_finite)
          text = 'Begin with a smaller increment (first value of '//procedure_of(step)//'). '
       case (cause_iterations)

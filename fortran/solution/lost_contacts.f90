@@ -23,13 +23,13 @@ contains
       type(contact_path_t) :: path
       integer, allocatable :: departed(:, :)
 
-      worst = inspect_surfaces(problem%domain_t)
-      if (.not. problem%contact%present) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)
          call find_path(model, wires, elements, iterate%x_start, problem%state%rotation, iterate%x, iterate%rotation, &
             iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
-            any(contact%in_bar .or. contact%in_set, 2), path)
+            may_touch(problem), path)
+         worst = inspect_surfaces(problem%domain_t, path)
+         if (.not. contact%present) return
          call find_departed_pairs(model, wires, contact, departed)
          worst = worse_of(worst, inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
          worst = worse_of(worst, inspect_bends(model, wires, elements, contact, iterate%x, iterate%rotation, &
@@ -41,5 +41,18 @@ contains
          worst = worse_of(worst, find_unfollowed(model, wires, elements, contact, iterate%x_start, iterate%x))
       end associate
    end function find_lost_contacts
+
+   !> Elements that a contact pair names, with wires or with a rigid surface (n_elements).
+   pure function may_touch(problem) result(may)
+      type(problem_t), intent(in) :: problem
+      logical :: may(problem%model%n_elements)
+      integer :: pair
+
+      may = .false.
+      if (problem%contact%present) may = any(problem%contact%in_bar .or. problem%contact%in_set, 2)
+      do pair = 1, size(problem%model%surface_pairs)
+         may(problem%model%element_sets(problem%model%surface_pairs(pair)%set)%members) = .true.
+      end do
+   end function may_touch
 
 end module litz_lost_contacts

@@ -8,7 +8,7 @@ module litz_steps
    use litz_equations, only: number_equations
    use litz_errors, only: error_t, fail, exit_input, exit_not_converged
    use litz_fields, only: fields, n_slots, field_displacement, field_temperature, field_of_dof, field_of_slot, &
-      slot_of_dof, temperature_slots
+      slot_of_dof
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
    use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
@@ -206,6 +206,7 @@ contains
       type(outcome_t) :: outcome
       type(audit_t) :: audit
       real(dp) :: break_point, increment, target, ratio
+      character(len=:), allocatable :: reason
       logical :: possible
       integer :: i
 
@@ -225,8 +226,8 @@ contains
             call solve_increment(problem, step, report, observer, outcome, error)
             if (allocated(error)) return
             problem%n_iterations = problem%n_iterations + outcome%iterations
-            ratio = bearable_ratio(problem, step)
-            if (outcome%converged .and. ratio < 1) call refuse_change(problem, outcome, step)
+            call find_bearable_ratio(problem, step, ratio, reason)
+            if (outcome%converged .and. ratio < 1) call refuse_change(reason, outcome)
             if (outcome%converged) exit
             problem%has_factor = .false.
             call observer%attempt_done(problem, report_of(problem, outcome, audit, increment, target, start_time), &
@@ -265,37 +266,37 @@ contains
    end subroutine run_increment
 
    !> The largest increment that all terms bear, over the one that has converged.
-   real(dp) function bearable_ratio(problem, step) result(ratio)
+   subroutine find_bearable_ratio(problem, step, ratio, reason)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
+      !> Over the one that has converged
+      real(dp), intent(out) :: ratio
+      !> Why no larger one is
+      character(len=:), allocatable, intent(out) :: reason
+      character(len=:), allocatable :: reason_of_term
+      real(dp) :: ratio_of_term
       integer :: i
 
       ratio = huge(ratio)
+      reason = ''
       if (step%direct) return
       do i = 1, size(problem%terms)
-         ratio = min(ratio, problem%terms(i)%term%bearable_increment(problem%domain_t, step))
+         call problem%terms(i)%term%bearable_increment(problem%domain_t, step, ratio_of_term, reason_of_term)
+         if (.not. ratio_of_term < ratio) cycle
+         ratio = ratio_of_term
+         reason = reason_of_term
       end do
-   end function bearable_ratio
+   end subroutine find_bearable_ratio
 
-   subroutine refuse_change(problem, outcome, step)
-      type(problem_t), intent(in) :: problem
+   pure subroutine refuse_change(reason, outcome)
+      !> Why it is refused, for messages
+      character(len=*), intent(in) :: reason
       type(outcome_t), intent(inout) :: outcome
-      type(step_t), intent(in) :: step
 
       outcome%converged = .false.
       outcome%cause = cause_large_change
-      outcome%reason = 'a temperature has an error of more than ERROR='//to_text(step%largest_error)
-      if (largest_change(problem) > step%largest_change .and. step%largest_change > 0) outcome%reason = &
-         'a temperature changes by more than DELTMX='//to_text(step%largest_change)
+      outcome%reason = reason
    end subroutine refuse_change
-
-   !> Of a free temperature in the increment [K].
-   pure real(dp) function largest_change(problem)
-      type(problem_t), intent(in) :: problem
-      integer, parameter :: slot = temperature_slots(1)
-
-      largest_change = maxval(abs(problem%iterate%change(slot, :)), problem%equations%number(slot, :) > 0)
-   end function largest_change
 
    !> The iterate becomes the converged state.
    subroutine advance(problem, outcome, increment, step_time, start_time)

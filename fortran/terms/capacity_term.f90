@@ -14,6 +14,7 @@ module litz_capacity_term
    use litz_model, only: model_t, step_t, element_heat_t
    use litz_property_table, only: property_at
    use litz_term, only: term_t
+   use litz_text, only: to_text
    implicit none
    private
    public :: capacity_term_t, new_capacity_term
@@ -212,20 +213,26 @@ contains
    end subroutine shorten
 
    !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment.
-   real(dp) function bearable_increment(self, domain, step) result(ratio)
+   subroutine bearable_increment(self, domain, step, ratio, reason)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       type(step_t), intent(in) :: step
+      !> Over the one that has converged
+      real(dp), intent(out) :: ratio
+      !> Why no larger one is, for messages
+      character(len=:), allocatable, intent(out) :: reason
       real(dp) :: change
 
       ratio = huge(ratio)
+      reason = 'a temperature has an error of more than ERROR='//to_text(step%largest_error)
       if (.not. self%is_at_work) return
       associate (is_free => domain%equations%number(slot, :) > 0)
          change = maxval(abs(domain%iterate%change(slot, :)), is_free)
          if (step%largest_change > 0 .and. change > step%largest_change/huge(ratio)) ratio = step%largest_change/change
+         if (ratio < 1) reason = 'a temperature changes by more than DELTMX='//to_text(step%largest_change)
          if (step%largest_error > 0) ratio = min(ratio, ratio_of_errors(self, domain, step%largest_error, is_free))
       end associate
-   end function bearable_increment
+   end subroutine bearable_increment
 
    !> The increment that would have the allowed error, over that which has converged. Nothing is known of the error of
    !> the first one of a step; that of the second is taken as what backward Euler would have had.

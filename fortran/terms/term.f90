@@ -216,13 +216,18 @@ contains
    end subroutine follow
 
    !> The increment that has converged, over the largest one that the term bears: less than 1 is a reason for another.
-   real(dp) function bearable_increment(self, domain, step) result(ratio)
+   subroutine bearable_increment(self, domain, step, ratio, reason)
       class(term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       type(step_t), intent(in) :: step
+      !> Over the one that has converged
+      real(dp), intent(out) :: ratio
+      !> Why no larger one is, for messages
+      character(len=:), allocatable, intent(out) :: reason
 
       ratio = huge(ratio)
-   end function bearable_increment
+      reason = ''
+   end subroutine bearable_increment
 
    !> The next evaluation takes what the term iterates itself from the unknowns instead.
    subroutine agree(self)
