@@ -18,6 +18,8 @@ module litz_bent_wires
    real(dp), parameter :: least_part = 0.01_dp
    !> Below this cosine the angle of the straight wires is a right one
    real(dp), parameter :: no_cosine = 1.0e-6_dp
+   !> Square of a cosine that is no more than the round-off of straight wires at right angles
+   real(dp), parameter :: round_off = 1.0e-9_dp
 
    !> Of a contact; within an iteration it stays.
    type :: bends_t
@@ -81,7 +83,7 @@ contains
          end if
          straight%slope = 0
          if (.not. s > 0) return
-         if (square_of_cosine < 0) then
+         if (square_of_cosine < -round_off) then
             straight%as_equal = .true.
             ! B - A = (A + B) cos(theta) of straight wires of the same radius, and of others
             of_equal = 4*product(radius)/sum(radius)**2
@@ -91,7 +93,7 @@ contains
             square_of_cosine = max(0.0_dp, 1 - of_equal + of_equal*square_of_cosine)
          end if
          s = min(1.0_dp, s)
-         cosine = sqrt(square_of_cosine)
+         cosine = sqrt(max(0.0_dp, square_of_cosine))
          ! cos(theta) theta' = s', and again
          if (cosine > no_cosine) then
             straight%slope = beta*sin(angle)*cos(angle)/(s*cosine)

@@ -105,6 +105,7 @@ contains
       real(dp), intent(in) :: overlap, place(2)
       type(jet_t) :: pair(2, 2)
       type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
+      type(jet_t) :: of_cylinders
       integer :: i
 
       delta = variable(overlap, 1)
@@ -122,10 +123,13 @@ contains
          over_foot(i) = flat*over_foot(i)
       end do
       both = of_both(cylinder, lens%cosine)
+      of_cylinders = constant(1.0_dp)
+      if (all(lens%near)) of_cylinders = left_by_ends(sqrt(1/(2*lens%distance)), foot, corner)
+      both = of_cylinders*both
       scale = delta**(-energy_power)
       pair(1, 1) = both*energy_of(middle)*scale
-      pair(2, 1) = (1.0_dp - cylinder(1))*over_foot(2)
-      pair(1, 2) = (1.0_dp - cylinder(2))*over_foot(1)
+      pair(2, 1) = of_cylinders*(1.0_dp - cylinder(1))*over_foot(2)
+      pair(1, 2) = of_cylinders*(1.0_dp - cylinder(2))*over_foot(1)
       pair(2, 2) = constant(0.0_dp)
       if (all(lens%near)) pair(2, 2) = at_least_zero(1.0_dp - both - pair(2, 1) - pair(1, 2))*energy_of(corner)*scale
       pair(2, 1) = pair(2, 1)*energy_of(at_end(1))*scale
@@ -248,6 +252,36 @@ contains
       b = 1.0_dp + (theta - 1)*(part(1) + part(2))
       both = (2*theta)*part(1)*part(2)*(b + (b*b - (4*theta*(theta - 1))*part(1)*part(2))**0.5_dp)**(-1.0_dp)
    end function of_both
+
+   !> What cylinders keep where both wires end: all that either end leaves as long as one foot is on its wire. Where
+   !> both feet are beyond the ends, nothing overlaps as much as these do: with that overlap what cylinders have goes to
+   !> zero, faster than the energy of two round ends.
+   pure type(jet_t) function left_by_ends(scale, foot, corner) result(part)
+      !> `sqrt(1/(2 d))` [m^(-1/2)]
+      real(dp), intent(in) :: scale
+      !> From the feet of the ends to those of the other wire (2), overlap of end over end
+      type(jet_t), intent(in) :: foot(2), corner
+      type(jet_t) :: x, rest(2)
+      integer :: i
+
+      part = constant(1.0_dp)
+      if (.not. (all(foot%value < 0) .and. corner%value > 0)) return
+      do i = 1, 2
+         x = scale*foot(i)
+         rest(i) = fall_of(x*(corner + x*x)**(-0.5_dp))
+      end do
+      part = rest(1) + rest(2) - rest(1)*rest(2)
+   end function left_by_ends
+
+   !> `(1 + u)^4 (1 - 4 u + 10 u^2)`, from 0 to 1, where its first two derivatives are 0.
+   pure type(jet_t) function fall_of(u) result(fall)
+      !> Between -1 and 0
+      type(jet_t), intent(in) :: u
+
+      associate (v => u%value)
+         fall = composed(u, (1 + v)**4*(1 - 4*v + 10*v**2), 60*v**2*(1 + v)**3, 60*v*(1 + v)**2*(2 + 5*v))
+      end associate
+   end function fall_of
 
    pure type(jet_t) function at_least_zero(a) result(b)
       type(jet_t), intent(in) :: a

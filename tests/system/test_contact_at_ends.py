@@ -372,6 +372,58 @@ def test_wires_that_lie_end_by_end_touch_like_spheres_and_not_like_lines(run, de
         assert 0.4 * spheres < force < 1.6 * spheres, lap
 
 
+@pytest.mark.parametrize("law", [HERTZ, linear("", 1e10)], ids=["hertz", "per length"])
+@pytest.mark.parametrize("yaw", [0, 90, 180])
+@pytest.mark.parametrize("lean", [2, 4, 7])
+def test_ends_that_lead_away_from_each_other_become_two_spheres(run, lean, yaw, law):
+    """The tips of two wires, both of which lean away from the other one, at any angle to each other: with less overlap than
+    wire beside the ends can have, force and conductance are those of two spheres. A penalty per length has a constant
+    part of that."""
+    slope, turn, radius = np.radians(lean), np.radians(yaw), COPPER.radius
+    normal = np.array([np.sin(slope), 0, np.cos(slope)])
+    # the upper wire leans as much, whichever way it leads
+    way = np.array([np.cos(turn), np.sin(turn), 0])
+    way += normal * (np.sin(slope) - way @ normal)
+    lower = from_tip((0, 0, 0), (-1, 0, 0))
+    overlaps = np.array([1e-6, 1e-5, 1e-4, 1e-3, 5e-3, 2e-2])
+    steps = [moved(*(-overlap * radius * normal)).replace("*END STEP\n", VOLT + "*END STEP\n") for overlap in overlaps]
+    deck = two_wires(lower, from_tip(2 * radius * normal, way), HELD, *steps, law=law + spot("HERTZ"))
+    force, conductance = (each[-len(overlaps) :] for each in totals(solved(run(deck))))
+    spheres = np.array([force_for(overlap * radius, end_on_end, (COPPER, COPPER)) for overlap in overlaps])
+    conduct = np.array([1 / end_on_end(each, **hertz((COPPER, COPPER))).resistance for each in spheres])
+    whole = 1 if law == HERTZ else force[0] / spheres[0]
+    apart = overlaps < slope**2 / 100
+    assert force[apart] == pytest.approx(whole * spheres[apart], rel=0.01)
+    assert np.all(force < 1.4 * whole * spheres)
+    assert np.all(force > 0.99 * whole * spheres)
+    if law == HERTZ:
+        assert conductance[apart] == pytest.approx(conduct[apart], rel=0.01)
+        assert np.all(conductance < 1.3 * conduct)
+
+
+@pytest.mark.parametrize(("begin", "left"), [(0.3, 0.05), (-0.05, 0.015)])
+def test_what_a_lap_holds_is_work_of_the_way_on_which_it_is_pulled_apart(run, begin, left):
+    """Of wires side by side, from a lap and from ends just past each other, to where nothing touches: the force falls to
+    that of two spheres and to nothing."""
+    radius, overlap, end, increments = COPPER.radius, 0.01, 0.21, 100
+    away = np.linspace(0, 0.02, 11)[:, None] * [1, 0, 0]
+    upper = away + np.array([-begin * radius, 0, 2 * radius])
+    down = -overlap * radius
+    steps = [moved(0, 0, down), moved((begin + end) * radius, 0, down, increments=increments)]
+    deck = two_wires(-away[::-1], upper, HELD, *steps).replace("*END STEP", "*ENERGY PRINT\n*END STEP")
+    results = solved(run(deck))
+    history, held = results.history, results.history["ALLCCE"][1]
+    assert history["ALLCCE"][-1] == 0
+    assert np.abs(history["ETOTAL"][2:] - history["ETOTAL"][1]).max() < left * held
+    force = np.array([results.contacts_at(i)["force"].sum() for i in range(1, len(results.times))])
+    assert np.diff(force).max() < 0.01 * force[0]
+    gap = -begin + (begin + end) * np.arange(increments + 1) / increments
+    normal_overlap = 2 - np.hypot(2 - overlap, gap)
+    thin = (gap > 0) & (normal_overlap > 0) & (normal_overlap < 1e-3)
+    spheres = [force_for(each * radius, end_on_end, (COPPER, COPPER)) for each in normal_overlap[thin]]
+    assert force[-len(gap) :][thin] == pytest.approx(spheres, rel=0.05)
+
+
 @pytest.mark.parametrize("yaw", [0.0, 1e-8, 1e-3])
 @pytest.mark.parametrize("n", [10, 13])
 def test_a_tip_that_leans_in_the_plane_of_both_wires_is_a_sphere(run, yaw, n):

@@ -201,6 +201,7 @@ program test_tangents
    call check_ends('crossing next to two ends', hertz//spot, 'before both', 'A, B')
    call check_ends('end next to another one', hertz//spot, 'behind one', 'A, B')
    call check_ends('end on an end next to both sides', penalty_of_line//clean, 'behind both', 'A, B')
+   call check_ends('end on an end next to both sides, Hertz', hertz//spot, 'behind both', 'A, B')
    call check_ends('end next to the side of a straight axis', hertz, 'behind', 'A, B', ', AXIS=LINEAR')
    call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
    call check_element_loads()
