@@ -94,7 +94,7 @@ contains
       integer, allocatable :: list(:), nodes(:, :)
       integer :: i
 
-      list = carrying(domain, cells)
+      allocate (list, source=carrying(domain, cells))
       if (size(list) == 0) return
       nodes = reshape([(nodes_of(domain, cells(list(i))), i=1, size(list))], [3, size(list)])
       allocate (flows(size(list)))
