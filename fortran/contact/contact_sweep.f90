@@ -8,7 +8,7 @@
 module litz_contact_sweep
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial, axis_sagitta
-   use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed, finding_turned
+   use litz_contact_findings, only: finding_t, worse_of, finding_none, finding_passed
    use litz_contact_joints, only: lead_apart
    use litz_contact_path, only: contact_path_t
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, arc_at, crossing_at
@@ -48,10 +48,6 @@ contains
       integer, allocatable :: pairs(:, :)
       integer :: leg, i, n, n_joined
 
-      if (path%turned_element > 0) then
-         worst = finding_t(finding_turned, spread(path%turned_element, 1, 2))
-         return
-      end if
       n_joined = size(contact%joined, 2)
       n = n_joined + size(contact%candidates, 2)
       allocate (pairs(3, n + size(departed, 2)))

@@ -1,9 +1,11 @@
 !> The places at which contacts lie in elements, element by element in order along them.
 module litz_element_ends
    use litz_kinds, only: dp
+   use litz_parallel, only: worth_threads
+   use litz_potential_rise, only: potential_rise
    implicit none
    private
-   public :: element_ends_t, collect_ends
+   public :: element_ends_t, collect_ends, rise_at_ends
 
    type :: element_ends_t
       !> Elements that have any (n_elements)
@@ -85,5 +87,28 @@ contains
       ends%contact(k) = contact
       ends%side(k) = side
    end subroutine insert
+
+   !> How what enters the elements at the ends raises the potential or the temperature there, above the linear one.
+   subroutine rise_at_ends(ends, scale, entering, rise)
+      type(element_ends_t), intent(in) :: ends
+      !> rho L0/(4 A) of each element that has ends, or L0/(4 lambda A) (elements) [ohm], [K/W]
+      real(dp), intent(in) :: scale(:)
+      !> (ends) [A], [W]
+      real(dp), intent(in) :: entering(:)
+      !> On the barred and on the unbarred wire (2, contacts) [V], [K]
+      real(dp), intent(out) :: rise(:, :)
+      real(dp) :: above(size(entering))
+      integer :: k, i
+
+      !$omp parallel do schedule(static) if (size(scale) >= worth_threads)
+      do k = 1, size(scale)
+         call potential_rise(scale(k), ends%xi(ends%first(k):ends%first(k + 1) - 1), &
+            entering(ends%first(k):ends%first(k + 1) - 1), above(ends%first(k):ends%first(k + 1) - 1))
+      end do
+      !$omp end parallel do
+      do i = 1, size(above)
+         rise(ends%side(i), ends%contact(i)) = above(i)
+      end do
+   end subroutine rise_at_ends
 
 end module litz_element_ends

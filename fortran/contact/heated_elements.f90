@@ -3,10 +3,9 @@
 !> A current is the same between two contacts; half of the heat that it makes there enters at either of them, which is
 !> exact for the temperatures at the contacts. Source: theory sections 7 and 13.
 module litz_heated_elements
-   use litz_element_ends, only: element_ends_t
+   use litz_element_ends, only: element_ends_t, rise_at_ends
    use litz_kinds, only: dp
-   use litz_parallel, only: worth_threads
-   use litz_potential_rise, only: potential_rise, moved_rise
+   use litz_potential_rise, only: moved_rise
    implicit none
    private
    public :: heated_element_t, n_parts, heat_of_parts, change_of_parts, place_heat, add_at_nodes, rise_by, moved_rise_by
@@ -152,21 +151,9 @@ contains
       !> (2, contacts) [W]
       real(dp), intent(in) :: heat(:, :)
       real(dp) :: rise(2, size(heat, 2))
-      real(dp), dimension(size(ends%xi)) :: entering, above
-      integer :: k, i
+      integer :: i
 
-      do i = 1, size(entering)
-         entering(i) = heat(ends%side(i), ends%contact(i))
-      end do
-      !$omp parallel do schedule(static) if (size(elements) >= worth_threads)
-      do k = 1, size(elements)
-         call potential_rise(elements(k)%heat_series, ends%xi(ends%first(k):ends%first(k + 1) - 1), &
-            entering(ends%first(k):ends%first(k + 1) - 1), above(ends%first(k):ends%first(k + 1) - 1))
-      end do
-      !$omp end parallel do
-      do i = 1, size(above)
-         rise(ends%side(i), ends%contact(i)) = above(i)
-      end do
+      call rise_at_ends(ends, elements%heat_series, [(heat(ends%side(i), ends%contact(i)), i=1, size(ends%xi))], rise)
    end function rise_by
 
    !> Heat that enters elements at their nodes, as heat that leaves these is positive.

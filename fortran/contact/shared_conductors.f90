@@ -6,11 +6,9 @@
 !> part of the contact element (contact_electricity); here is what is beyond it: `(R + A)^-1 - D^-1`.
 !> Source: theory section 7.
 module litz_shared_conductors
-   use litz_element_ends, only: element_ends_t, collect_ends
+   use litz_element_ends, only: element_ends_t, collect_ends, rise_at_ends
    use litz_kinds, only: dp
    use litz_mutual_resistances, only: mutual_resistances_t
-   use litz_parallel, only: worth_threads
-   use litz_potential_rise, only: potential_rise
    implicit none
    private
    public :: shared_conductors_t, collect_shared
@@ -125,21 +123,11 @@ contains
       real(dp), intent(out) :: product(:), rise(:, :)
       !> What other contacts add to the voltage of each contact (n) [V]
       real(dp), intent(out) :: of_others(:)
-      real(dp), dimension(size(self%ends%xi)) :: entering, above
-      integer :: k, i
+      real(dp) :: entering(size(self%ends%xi))
 
       ! the current leaves the barred wire
       entering = merge(-1, 1, self%ends%side == 1)*current(self%ends%contact)
-      !$omp parallel do schedule(static) if (size(self%scale) >= worth_threads)
-      do k = 1, size(self%scale)
-         call potential_rise(self%scale(k), self%ends%xi(self%ends%first(k):self%ends%first(k + 1) - 1), &
-            entering(self%ends%first(k):self%ends%first(k + 1) - 1), &
-            above(self%ends%first(k):self%ends%first(k + 1) - 1))
-      end do
-      !$omp end parallel do
-      do i = 1, size(above)
-         rise(self%ends%side(i), self%ends%contact(i)) = above(i)
-      end do
+      call rise_at_ends(self%ends, self%scale, entering, rise)
       product = self%resistance*current - rise(1, :) + rise(2, :)
       of_others = self%mutual%voltages(current)
       product = product + of_others

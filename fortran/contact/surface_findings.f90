@@ -9,17 +9,17 @@ module litz_surface_findings
    use litz_kinds, only: dp, pi
    use litz_axis, only: axis_shape, on_axis
    use litz_contact_findings, only: finding_t, worse_of, finding_surface_deep, finding_surface_passed, &
-      finding_surface_turned, finding_turned
+      finding_surface_turned
    use litz_contact_net, only: allowed_penetration
    use litz_contact_path, only: contact_path_t, legs_of_arc
    use litz_domain, only: domain_t
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell
    use litz_surface_choices, only: surface_cylinder
-   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by
+   use litz_surface_poses, only: present_surface, surface_moved_by, element_axis, axis_moved_by, surface_turn
    implicit none
    private
-   public :: inspect_surfaces, overlaps_of_surfaces
+   public :: inspect_surfaces, overlaps_of_surfaces, most_turn
 
    !> A straight way through a cylinder may come as near to its axis as this part of the distance of a wire that
    !> touches: wires that slide round it by less than a right angle stay outside
@@ -42,8 +42,7 @@ contains
 
       worst = overlaps_of_surfaces(domain, allowed_penetration)
       if (size(domain%model%surface_pairs) == 0) return
-      worst = worse_of(worst, turned_surface(domain, path))
-      if (path%turned_element > 0) worst = worse_of(worst, finding_t(finding_turned, spread(path%turned_element, 1, 2)))
+      worst = worse_of(worst, turned_surface(domain))
       if (worst%kind == finding_surface_turned) return
       if (.not. any(domain%model%surfaces%shape == surface_cylinder)) return
       n_legs = max(path%n_legs, legs_about_surfaces(domain, path))
@@ -61,19 +60,14 @@ contains
    end function inspect_surfaces
 
    !> A surface that turns too far.
-   pure type(finding_t) function turned_surface(domain, path) result(finding)
+   pure type(finding_t) function turned_surface(domain) result(finding)
       type(domain_t), intent(in) :: domain
-      type(contact_path_t), intent(in) :: path
       integer :: pair
 
       do pair = 1, size(domain%model%surface_pairs)
          associate (this => domain%model%surface_pairs(pair))
-            associate (node => domain%model%surfaces(this%surface)%node)
-               if (node == 0) cycle
-               if (norm2(path%turn(:, node)) <= most_turn) cycle
-               finding = finding_on(domain, domain%model%element_sets(this%set)%members(1), pair, &
-                  finding_surface_turned)
-            end associate
+            if (surface_turn(domain, this%surface) > most_turn) finding = finding_on(domain, &
+               domain%model%element_sets(this%set)%members(1), pair, finding_surface_turned)
          end associate
       end do
    end function turned_surface
@@ -91,7 +85,7 @@ contains
                members => domain%model%element_sets(this%set)%members)
                if (node == 0) cycle
                do i = 1, size(members)
-                  n_legs = max(n_legs, legs_of_arc(norm2(path%turn(:, node)), norm2(path%x_start(:, &
+                  n_legs = max(n_legs, legs_of_arc(surface_turn(domain, this%surface), norm2(path%x_start(:, &
                      domain%model%connectivity(1, members(i))) - path%x_start(:, node)), &
                      domain%elements%radius(members(i))))
                end do

@@ -3,13 +3,14 @@ module litz_surface_poses
    use litz_kinds, only: dp
    use litz_axis, only: axis_polynomial
    use litz_domain, only: domain_t
+   use litz_fields, only: field_rotation, first_slot, last_slot
    use litz_model, only: model_t, radius_at
    use litz_rigid_surface, only: rigid_surface_t, moved_surface, radial_motion
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    implicit none
    private
    public :: present_surface, surface_at_start, surface_moved_by, element_axis, axis_moved_by, surface_node, &
-      work_of_radii
+      surface_turn, work_of_radii
 
 contains
 
@@ -95,6 +96,18 @@ contains
          end associate
       end do
    end function work_of_radii
+
+   !> How far a surface turns in this increment [rad].
+   pure real(dp) function surface_turn(domain, surface) result(turn)
+      type(domain_t), intent(in) :: domain
+      !> Index of the surface
+      integer, intent(in) :: surface
+
+      turn = 0
+      associate (node => domain%model%surfaces(surface)%node)
+         if (node > 0) turn = norm2(domain%iterate%change(first_slot(field_rotation):last_slot(field_rotation), node))
+      end associate
+   end function surface_turn
 
    !> Node of the surface of a cell; 0: it is fixed in space.
    pure integer function surface_node(domain, cell)

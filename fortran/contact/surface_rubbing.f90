@@ -6,14 +6,15 @@ module litz_surface_rubbing
    use litz_conduction, only: surface_conducts
    use litz_domain, only: domain_t
    use litz_element_library, only: material_at
-   use litz_fields, only: field_temperature, field_rotation, motion_slots, first_slot, last_slot
+   use litz_fields, only: field_temperature, motion_slots
    use litz_rigid_surface, only: rigid_surface_t
    use litz_rubbing, only: rubbing_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
    use litz_surface_overlap, only: gap_at
-   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, axis_moved_by, surface_node
+   use litz_surface_poses, only: present_surface, surface_at_start, element_axis, axis_moved_by, surface_node, &
+      surface_turn
    use litz_wires, only: arc_from_to
    implicit none
    private
@@ -155,10 +156,9 @@ contains
 
       turn = 0
       do i = 1, size(cells)
-         associate (pair => domain%model%surface_pairs(cells(i)%pair), node => surface_node(domain, cells(i)))
-            if (node == 0 .or. .not. cells(i)%force > 0) cycle
-            if (.not. domain%model%interactions(pair%interaction)%friction > 0) cycle
-            turn = max(turn, norm2(domain%iterate%change(first_slot(field_rotation):last_slot(field_rotation), node)))
+         associate (pair => domain%model%surface_pairs(cells(i)%pair))
+            if (.not. cells(i)%force > 0 .or. .not. domain%model%interactions(pair%interaction)%friction > 0) cycle
+            turn = max(turn, surface_turn(domain, pair%surface))
          end associate
       end do
    end function rubbing_turn

@@ -20,12 +20,12 @@ module litz_surface_term
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
       laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force
+   use litz_surface_findings, only: most_turn
    use litz_surface_flows, only: request_flow_slots, add_flows, link_flows, note_flows
    use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
    use litz_surface_friction, only: stick_stiffness_of
    use litz_surface_memory, only: recall_memory, keep_memory
-   use litz_surface_poses, only: present_surface, element_axis, surface_node, &
-      work_of_radii
+   use litz_surface_poses, only: present_surface, element_axis, surface_node, surface_turn, work_of_radii
    use litz_surface_rubbing, only: rubbing_turn, touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
    use litz_term, only: term_t, status_t
    use litz_text, only: to_text
@@ -43,7 +43,7 @@ module litz_surface_term
    !> Relative change of the stiffness of a stick that is worth it
    real(dp), parameter :: stick_tolerance = 0.01_dp
    !> Turn of a surface with friction in an increment, whose chord is 0.3 % short [rad]
-   real(dp), parameter :: most_turn = 0.25_dp
+   real(dp), parameter :: most_turn_with_friction = 0.25_dp
 
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
@@ -459,7 +459,7 @@ contains
       end associate
    end subroutine add_energies
 
-   !> Surfaces that rub wires turn by 0.25 rad at most: slip is that of the chord.
+   !> Surfaces turn by a right angle at most, and those that rub wires by 0.25 rad, as slip is that of the chord.
    subroutine bearable_increment(self, domain, step, ratio, reason)
       class(surface_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -468,9 +468,11 @@ contains
       real(dp), intent(out) :: ratio
       !> Why no larger one is, for messages
       character(len=:), allocatable, intent(out) :: reason
+      integer :: i
 
-      reason = 'a rigid surface with friction turns by more than '//to_text(most_turn)//' rad'
-      ratio = most_turn/max(rubbing_turn(domain, self%cells), most_turn/huge(ratio))
+      reason = 'a rigid surface with friction turns by more than '//to_text(most_turn_with_friction)//' rad'
+      ratio = 1/max(rubbing_turn(domain, self%cells)/most_turn_with_friction, maxval([(surface_turn(domain, i), &
+         i=1, size(domain%model%surfaces))])/most_turn, 1/huge(ratio))
    end subroutine bearable_increment
 
    !> Contacts for the results; surfaces that are fixed in space push from outside.

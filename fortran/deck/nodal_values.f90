@@ -368,10 +368,10 @@ contains
          end if
          ok = any(list%kind == [kind_temperature, kind_initial]) .or. &
             list%has_unknown(nodes(i), field_of_dof(first)) .or. self%broken_nodes .or. self%broken_elements .or. &
-            self%broken_keywords
+            self%broken_keywords .or. self%surfaces%missed .or. self%interactions%missed
          if (.not. ok) then
             call fail_at(self, self%values%token(1), describe_node(self, model, nodes(i), nodes)// &
-               reason_for_lack_of(field_of_dof(first)))
+               reason_for_lack_of(model, nodes(i), field_of_dof(first)))
             return
          end if
          ok = first > list%last_moved(nodes(i))

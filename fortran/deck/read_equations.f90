@@ -316,7 +316,7 @@ contains
          ok = i == 0
          if (.not. ok) then
             call fail_at(self, term%token, 'node '//to_text(model%node_id(term%nodes(i)))// &
-               reason_for_lack_of(field_of_dof(term%dof)))
+               reason_for_lack_of(model, term%nodes(i), field_of_dof(term%dof)))
             return
          end if
       end if

@@ -55,17 +55,25 @@ contains
    end function nodes_with_unknown
 
    !> Why a node does not have the unknown of a field, behind the name of the node.
-   pure function reason_for_lack_of(field) result(words)
-      !> One of litz_fields
-      integer, intent(in) :: field
+   pure function reason_for_lack_of(model, node, field) result(words)
+      type(model_t), intent(in) :: model
+      !> Index of the node, and one of litz_fields
+      integer, intent(in) :: node, field
       character(len=:), allocatable :: words
+      character(len=:), allocatable :: lack, of_elements, of_surface
 
       if (field == field_temperature) then
-         words = ' has no temperature as an unknown, as no material of its elements conducts heat; temperatures are'// &
-            ' given by *TEMPERATURE'
+         lack = ' has no temperature as an unknown, as '
+         of_elements = 'no material of its elements conducts heat; temperatures are given by *TEMPERATURE'
+         of_surface = 'no contact pair passes heat to its rigid surface (*GAP CONDUCTANCE, PER=LENGTH does)'
       else
-         words = ' has no electric potential: no material of its elements has *ELECTRICAL CONDUCTIVITY'
+         lack = ' has no electric potential: '
+         of_elements = 'no material of its elements has *ELECTRICAL CONDUCTIVITY'
+         of_surface = 'no contact pair passes a current to its rigid surface (*GAP ELECTRICAL CONDUCTANCE,'// &
+            ' PER=LENGTH does)'
       end if
+      words = lack//of_elements
+      if (any(model%surfaces%node == node) .and. .not. any(model%connectivity == node)) words = lack//of_surface
    end function reason_for_lack_of
 
 end module litz_unknown_nodes

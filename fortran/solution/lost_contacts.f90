@@ -1,6 +1,6 @@
 !> What is wrong with the contacts of a converged iterate, so that it is no solution.
 module litz_lost_contacts
-   use litz_contact_findings, only: finding_t, worse_of
+   use litz_contact_findings, only: finding_t, worse_of, finding_turned
    use litz_contact_matching, only: find_unfollowed
    use litz_contact_net, only: inspect_contacts, allowed_penetration
    use litz_contact_path, only: contact_path_t, find_path
@@ -23,18 +23,22 @@ contains
       type(contact_path_t) :: path
       integer, allocatable :: departed(:, :)
 
+      if (.not. problem%contact%present .and. size(problem%model%surface_pairs) == 0) return
       associate (model => problem%model, wires => problem%wires, elements => problem%elements, &
          contact => problem%contact, iterate => problem%iterate)
          call find_path(model, wires, elements, iterate%x_start, problem%state%rotation, iterate%x, iterate%rotation, &
             iterate%change(first_slot(field_rotation):last_slot(field_rotation), :), &
             may_touch(problem), path)
          worst = inspect_surfaces(problem%domain_t, path)
+         if (path%turned_element > 0) worst = worse_of(worst, finding_t(finding_turned, &
+            spread(path%turned_element, 1, 2)))
          if (.not. contact%present) return
          call find_departed_pairs(model, wires, contact, departed)
          worst = worse_of(worst, inspect_contacts(model, wires, elements, contact, iterate%x, iterate%rotation))
          worst = worse_of(worst, inspect_bends(model, wires, elements, contact, iterate%x, iterate%rotation, &
             allowed_penetration))
-         worst = worse_of(worst, sweep_contacts(model, wires, elements, contact, departed, path))
+         if (path%turned_element == 0) worst = worse_of(worst, sweep_contacts(model, wires, elements, contact, &
+            departed, path))
          worst = worse_of(worst, find_departed_contacts(model, wires, elements, contact, departed, &
             iterate%x, iterate%rotation))
          worst = worse_of(worst, find_departed_lines(model, wires, elements, contact, iterate%x, iterate%rotation))

@@ -1,7 +1,7 @@
 !> How large the next increment of time is. Source: the rules and names of CalculiX's *CONTROLS.
 module litz_step_control
    use litz_kinds, only: dp
-   use litz_contact_findings, only: finding_t, finding_surface_turned
+   use litz_contact_findings, only: finding_t
    use litz_model, only: step_t
    implicit none
    private
@@ -70,8 +70,7 @@ contains
          self%refused_time = step_time
       end if
       self%refused = finding
-      possible = self%refusals <= merge(max_passages, max_unmodelled, finding%can_be_cut()) &
-         .or. finding%kind == finding_surface_turned
+      possible = self%refusals <= merge(max_passages, max_unmodelled, finding%can_be_cut())
    end function refuse
 
    !> After an increment that has turned the ends of an element too far; `.false.`: smaller ones have done so often

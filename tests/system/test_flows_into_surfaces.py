@@ -305,3 +305,22 @@ def test_a_plate_whose_temperature_nothing_fixes_is_named(refused):
     said = refused(2, HEAT, "1, 11, 11, 20\n1, 9\n", press="WIRE, 3, 3, 1e-5\n", procedure=STEADY)
     assert "the temperature of the rigid surface PLATE is not determined" in said
     assert "prescribe degree of freedom 11 of its reference node 99" in said
+
+
+def test_a_misspelt_surface_does_not_make_its_potential_an_error(litz, tmp_path):
+    wrong = deck(CURRENT, EARTHED).replace("WIRE, PLATE", "WIRE, PLAET")
+    text = refusal_of_deck(litz, tmp_path, lambda: wrong)(1)
+    assert "did you mean PLATE?" in text
+    assert text.count("error: ") == 1
+
+
+@pytest.mark.parametrize(
+    ("procedure", "dof", "flow"),
+    [
+        (STATIC, 9, "a current to its rigid surface (*GAP ELECTRICAL CONDUCTANCE, PER=LENGTH"),
+        (STEADY, 11, "heat to its rigid surface (*GAP CONDUCTANCE, PER=LENGTH"),
+    ],
+)
+def test_a_reference_node_to_which_nothing_passes_is_told_what_would_pass(refused, procedure, dof, flow):
+    text = refused(1, "", f"1, 9, 9, 1e-3\n99, {dof}\n", procedure=procedure)
+    assert f"no contact pair passes {flow}" in text
