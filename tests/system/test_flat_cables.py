@@ -40,9 +40,12 @@ def pressed(tmp_path_factory):
 
 @pytest.mark.slow
 def test_strands_of_the_layers_cross_at_twice_their_slope(pressed):
-    # as they are laid; pressed to the end strands turn towards each other by 2 %
+    # as they are laid, once most of them touch: those near the edges, which do so first, cross at another angle; pressed to
+    # the end strands turn towards each other by 2 %
     ledger = next(
-        rows for rows in map(pressed.contacts_at, range(1, len(pressed.times))) if (rows["spacing"] == 0).any()
+        rows
+        for rows in map(pressed.contacts_at, range(1, len(pressed.times)))
+        if (rows["spacing"] == 0).sum() > 2 * STRANDS
     )
     crossings = ledger["spacing"] == 0
     distance = 2 * RADIUS
