@@ -40,7 +40,7 @@ COMMANDS = {
     "summary": ("results", "summary_command"),
     "table": ("results", "table_command"),
     "plot": ("pictures", "plot_command"),
-    "report": ("pictures", "report_command"),
+    "report": ("report", "report_command"),
     "view": ("view", "view_command"),
     "new": ("decks", "new_command"),
     "convert": ("decks", "convert_command"),

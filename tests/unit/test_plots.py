@@ -13,7 +13,7 @@ from matplotlib.image import imread
 import litz
 from litz.base.quantities import engineering, label
 from litz.base.table import Table
-from litz.pictures import charts, plots, wire_picture
+from litz.pictures import charts, drawing_process, plots
 from litz.pictures.contact_marks import Spots
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.tube_mesh import tubes
@@ -48,7 +48,7 @@ def without_opengl(monkeypatch, tmp_path):
     program = tmp_path / "crash"
     program.write_text("#!/bin/sh\nkill -SEGV $$\n")
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
-    monkeypatch.setattr(wire_picture.sys, "executable", str(program))
+    monkeypatch.setattr(drawing_process.sys, "executable", str(program))
 
 
 @pytest.fixture(scope="module")

@@ -1,15 +1,12 @@
-"""The commands `litz plot` and `litz report`."""
+"""The command `litz plot`."""
 
 import argparse
-import os
 import re
-import sys
 from pathlib import Path
 
 from ..pictures.animation import animate
 from ..pictures.plots import KINDS, plot, with_increments
 from ..pictures.scene import VIEWS
-from ..reports.report import report
 from ..results import Results
 from ..results.scalars import scalars
 from .parsers import increment_of, results_parser
@@ -111,14 +108,3 @@ def _size(text: str) -> tuple[int, int]:
     if not found:
         raise argparse.ArgumentTypeError(f"a size is WIDTHxHEIGHT in pixels, such as 1600x1000, not {text!r}")
     return int(found[1]), int(found[2])
-
-
-def report_command(arguments: list[str]) -> int:
-    """`litz report`: a page about a run."""
-    parser = results_parser("report", "Write one HTML page about a run, which needs nothing beside it.")
-    parser.add_argument("-o", "--output", metavar="PAGE", help="default: STEM_report.html next to the results")
-    options = parser.parse_args(arguments)
-    # Linux alone forks without harm, and says how many processors there are for this process
-    processes = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
-    print(f"report: {report(options.results, options.output, processes=processes if processes > 1 else 0)}")
-    return 0

@@ -1,7 +1,8 @@
 """Draws the meshes of pictures with VTK, as a program of its own.
 
-`litz.pictures.wire_picture` starts it by `python render_wires.py FOLDER`, which makes FOLDER/drawn_0.npz of FOLDER/job_0.npz,
-and so on: where no OpenGL is installed, VTK ends the whole process, which must not be the user's.
+`litz.pictures.drawing_process` starts it by `python render_wires.py`. A line that it reads then names a folder, of whose
+job_0.npz it makes drawn_0.npz, and so on: where no OpenGL is installed, VTK ends the whole process, which must not be the
+user's.
 """
 
 import sys
@@ -23,9 +24,13 @@ _MAX_FINE = 2_500_000
 _LINE_WIDTH = 1.5
 
 
-def main(folder: str) -> None:
-    """Read the jobs, draw, write the pictures."""
+def main() -> None:
+    """Start OpenGL, read the jobs, draw, write the pictures."""
     window = off_screen_window()
+    window.Render()
+    folder = sys.stdin.readline().rstrip("\n")
+    if not folder:
+        return
     for job in sorted(Path(folder).glob("job_*.npz")):
         picture, n_grey = draw(window, np.load(job))
         _SHARED.clear()
@@ -159,4 +164,4 @@ def add_lights(renderer: vtkRenderer, job: Mapping[str, np.ndarray]) -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

@@ -2,7 +2,6 @@
 
 import os
 import subprocess
-import sys
 import tempfile
 import warnings
 from collections.abc import Callable, Sequence
@@ -19,6 +18,7 @@ from matplotlib.backend_bases import RendererBase
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 
 from ..base.quantities import engineering, with_unit
+from . import drawing_process
 from .contact_marks import Spots
 from .scene import Camera, Scene
 from .tube_mesh import discs as discs_mesh
@@ -258,22 +258,19 @@ def _bytes(colour: str) -> list[int]:
 
 
 def _run_vtk(folder: str, n_pictures: int) -> None:
-    command = [sys.executable, str(Path(__file__).with_name("render_wires.py")), folder]
     longest = _MAX_RENDERING_TIME + 10 * n_pictures
     # where there are no X11 libraries VTK may crash instead of taking OSMesa by itself
     for environment in (None, {**os.environ, "VTK_DEFAULT_OPENGL_WINDOW": "vtkOSOpenGLRenderWindow"}):
         try:
-            done = subprocess.run(
-                command, capture_output=True, text=True, timeout=longest, check=False, env=environment
-            )
+            code, messages = drawing_process.run(folder, longest, environment)
         except subprocess.TimeoutExpired:
             raise RenderingError(f"VTK produced no picture within {longest:g} s") from None
-        if done.returncode == 0:
+        if code == 0:
             break
-    if done.returncode < 0:
-        raise RenderingError(f"VTK ended by signal {-done.returncode} (is OpenGL missing? apt-get install libosmesa6)")
-    if done.returncode or not Path(folder, f"drawn_{n_pictures - 1}.npz").is_file():
-        last = (done.stderr.strip().splitlines() or ["no message"])[-1]
+    if code < 0:
+        raise RenderingError(f"VTK ended by signal {-code} (is OpenGL missing? apt-get install libosmesa6)")
+    if code or not Path(folder, f"drawn_{n_pictures - 1}.npz").is_file():
+        last = (messages.strip().splitlines() or ["no message"])[-1]
         raise RenderingError(f"VTK produced no picture: {last}")
 
 

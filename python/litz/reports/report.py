@@ -210,8 +210,9 @@ def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[
     )
 
     def finish(room: int) -> list[str]:
-        finish_charts()
+        # the charts are drawn meanwhile
         finish_wires()
+        finish_charts()
         _make_smaller(paths, room)
         figures = [_figure(picture, text) for picture, (_, text, _) in zip(paths, wanted, strict=True)]
         return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
