@@ -16,6 +16,8 @@ import litz
 from browser import open_browser
 from litz.base.quantities import engineering
 from litz.viewer.data import WebData
+from litz.viewer.page import fitting_viewer, viewer_style
+from litz.viewer.page import page as html_page
 from litz.viewer.server import ViewServer
 from test_cli import ENTRY
 
@@ -258,6 +260,28 @@ class TestReport:
         assert ledger_row(browser)["id"] == "3"
         ask(browser, "viewer.show(1)")
         wait(browser, lambda: viewer(browser).get_attribute("data-increment") == "1", "no scrubbing")
+
+    @pytest.mark.slow
+    def test_increments_with_less_detail_are_shown_too(self, browser, run_of_input, tmp_path):
+        results = litz.Results(run_of_input("04_wire_grid"))
+        data, increments = WebData(results), list(range(len(results.times)))
+        full = len(data.packed_model()) + sum(len(data.packed_increment(place)) for place in increments)
+        stage, picked, reduced = fitting_viewer(results, increments, full - 1)
+        assert reduced
+        assert picked == increments
+        saved = tmp_path / "small.html"
+        saved.write_text(html_page("small", stage, viewer_style()), encoding="utf-8")
+        load(browser, saved.as_uri())
+        ask(browser, "viewer.show(1)")
+        wait(browser, lambda: viewer(browser).get_attribute("data-increment") == "1", "no scrubbing")
+        ask(browser, "viewer.select(3)")
+        row = ledger_row(browser)
+        contacts = results.contacts_at(1)
+        force = contacts["force"][contacts["id"] == 3][0]
+        assert row["force"] == in_words(float(f"{force:.3g}"), "N")
+        assert "gap" in row
+        assert "resistance" not in row
+        assert errors(browser) == []
 
 
 class TestNotebook:

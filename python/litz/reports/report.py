@@ -26,7 +26,7 @@ from . import side_by_side
 from .surface_tables import surface_contacts_of_iterate, surfaces
 
 # Letters of a page, and at most of the data of its three-dimensional view; pictures have what is left, but not less than this
-_MAX_PAGE, _MAX_DATA, _MIN_PICTURES = 980_000, 300_000, 100_000
+_MAX_PAGE, _MAX_DATA, _MIN_PICTURES = 980_000, 480_000, 100_000
 # Increments that are looked at for that
 _MAX_INCREMENTS = 200
 # Quality, of 100, and scale of pictures that need more: drawn twice as large as the page shows them, they bear three quarters
@@ -247,12 +247,11 @@ def _sizes(kind: str) -> tuple[int, int]:
 def _stage(results: Results) -> list[str]:
     """The interactive model, with as many increments as the page can hold."""
     n = len(results.times)
-    stage, picked = fitting_viewer(results, evenly_chosen(n, _MAX_INCREMENTS), _MAX_DATA)
-    note = (
-        f"{len(picked)} of {n} increments are in this page; <code>litz view {html.escape(results.path.name)}</code> shows all."
-        if len(picked) < n
-        else "Drag to turn, wheel to enlarge, right button to move; click a spot for its row of the contact ledger."
-    )
+    stage, picked, reduced = fitting_viewer(results, evenly_chosen(n, _MAX_INCREMENTS), _MAX_DATA)
+    note = "Drag to turn, wheel to enlarge, right button to move; click a spot for its row of the contact ledger."
+    if len(picked) < n or reduced:
+        command = f"<code>litz view {html.escape(results.path.name)}</code>"
+        note = f"{len(picked)} of {n} increments are in this page{', with fewer digits' if reduced else ''}; {command} shows all."
     return [
         f'<h2>To turn and look at</h2>\n<p class="note">{note}</p>\n<div class="stage">',
         stage,

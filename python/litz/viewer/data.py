@@ -1,6 +1,7 @@
 """Results as the viewer in the browser reads them: the model, and the data of one increment."""
 
 import math
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import matplotlib as mpl
@@ -22,20 +23,53 @@ from .packed import Numbers, as_part, as_text, resolution
 _PLACE_IN_TIME = ("step", "increment", "time")
 _COLOUR_MAPS = ("viridis", "coolwarm")
 _DIGITS = 8
-# Of those inside a page
-_DIGITS_OF_PAGES = 5
 # What can be seen of the thinnest wire, in its radius
 _VISIBLE = 1 / 200
 # Largest power of ten that floating-point numbers have exactly
 _EXACT_POWER = 22
 # Components of directions that can be told from each other
 _TURN = 1 / 1024
+# Columns of contacts that the table of the viewer has
+_TABLE_COLUMNS = ("id", "element_1", "element_2", "gap", "force", "current")
+# Largest whole number that the script of a page has exactly
+_MAX_EXACT = 2**24
 # Radii of the lines of contact and of the marks at their ends, in radii of the thinner wire
 _LINE_RADIUS, _END_RADIUS = 0.3, 0.55
 # Length of a mark, in distances of places
 _END_PART = 0.6
 # How much nearer to the viewer the lines of contact are drawn, in radii of the thicker wire
 _WIRES_BEFORE = 2.2
+
+
+@dataclass(frozen=True)
+class Detail:
+    """How exactly a page has an increment.
+
+    Attributes
+    ----------
+    digits : int
+        Of the numbers of contacts.
+    columns : tuple of str, optional
+        What is told of contacts; default: everything.
+    parts : int
+        Parts of the largest value that are told apart in a field.
+    parts_moved : int
+        The same of displacements.
+    coarser : float
+        Factor on the smallest lengths and turns that can be seen.
+    """
+
+    digits: int = 5
+    columns: tuple[str, ...] | None = None
+    parts: int = 2**14
+    parts_moved: int = 2**15
+    coarser: float = 1.0
+
+
+#: Of increments of many contacts: colours that look the same, and all of each contact in three digits
+PLAIN = Detail(3, None, 64, 512, 10.0)
+#: The same, with no more of a contact than the table shows
+SHORT = replace(PLAIN, columns=_TABLE_COLUMNS)
 
 
 class WebData:
@@ -70,17 +104,26 @@ class WebData:
         """The model as a page has it inside."""
         return as_part(self._model())
 
-    def packed_increment(self, place: int) -> str:
+    def packed_increment(self, place: int, detail: Detail | None = None) -> str:
         """An increment as a page has it inside: displacements of wires, spots and lines instead of their places."""
-        data = self._increment(place, _DIGITS_OF_PAGES)
-        data["curves"] = self._moved(data["curves"], self._packed(self._rest))
+        detail = detail or Detail()
+        data = self._increment(place, detail.digits)
+        data["curves"] = self._moved(data["curves"], self._packed(self._rest), detail)
         for part in (data["spots"], data["lines"]):
-            part["now"] = self._moved(part["now"], part["rest"].values)
+            part["now"] = self._moved(part["now"], part["rest"].values, detail)
+            part |= {
+                name: replace(part[name], step=detail.coarser * part[name].step)
+                for name in ("rest", "normals", "tangents")
+                if name in part
+            }
+        data["fields"] = {name: replace(values, parts=detail.parts) for name, values in data["fields"].items()}
+        known = data["contacts"]
+        data["contacts"] = {name: _in_bytes(known[name]) for name in detail.columns or known if name in known}
         return as_part(data)
 
-    def _moved(self, now: Numbers, rest: np.ndarray) -> Numbers:
+    def _moved(self, now: Numbers, rest: np.ndarray, detail: Detail) -> Numbers:
         moved = np.asarray(now.values, dtype=float) - rest
-        return Numbers(moved, step=resolution(moved, self._visible))
+        return Numbers(moved, step=resolution(moved, self._visible, detail.parts_moved))
 
     @cached_property
     def _visible(self) -> float:
@@ -285,6 +328,13 @@ def _column(values: np.ndarray, digits: int) -> list:
     column = _rounded(values, digits).tolist()
     for row in np.flatnonzero(~np.isfinite(values)).tolist():
         column[row] = None if math.isnan(column[row]) else "∞" if column[row] > 0 else "-∞"
+    return column
+
+
+def _in_bytes(column: list) -> list | Numbers:
+    """Whole numbers of a page take fewer bytes than letters."""
+    if all(isinstance(value, int) and abs(value) < _MAX_EXACT for value in column):
+        return Numbers(column, np.int32, 1.0)
     return column
 
 

@@ -35,11 +35,14 @@ class Numbers:
         How it is sent where size does not count.
     step : float, optional
         How exactly a page has it; default: a part of the largest value of the column.
+    parts : int
+        How small a part.
     """
 
     values: ArrayLike
     kind: type = np.float32
     step: float | None = None
+    parts: int = _STEPS
 
     def text(self) -> str:
         """All digits, as base64."""
@@ -52,7 +55,7 @@ class Numbers:
         known = np.isfinite(values)
         shown = np.where(known, values, 0.0)
         largest = np.abs(shown).max(axis=0, initial=0.0)
-        steps = largest / _STEPS if self.step is None else np.maximum(self.step, largest / _MAX_STEPS)
+        steps = largest / self.parts if self.step is None else np.maximum(self.step, largest / _MAX_STEPS)
         steps[steps == 0] = 1.0
         described: dict[str, Any] = {"rows": len(values), "steps": [float(f"{step:.9g}") for step in steps.tolist()]}
         counts = np.rint(shown / described["steps"]).astype(np.int64)
@@ -89,7 +92,7 @@ def zipped(content: bytes) -> str:
     return base64.b64encode(gzip.compress(content, _COMPRESSION, mtime=0)).decode()
 
 
-def resolution(moved: NDArray[np.floating], visible: float) -> float:
+def resolution(moved: NDArray[np.floating], visible: float, parts: int = 2 * _STEPS) -> float:
     """How exactly displacements are kept: what is visible, and a part of the largest, which may be shown enlarged."""
     largest = float(np.abs(moved).max(initial=0.0))
-    return min(visible, largest / (2 * _STEPS)) if largest > 0 else visible
+    return min(visible, largest / parts) if largest > 0 else visible

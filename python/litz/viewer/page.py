@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..results import Results
-from .data import WebData
+from .data import PLAIN, SHORT, Detail, WebData
 from .packed import zipped
 
 # Modules that import each other by these names
@@ -56,31 +56,50 @@ def evenly_chosen(n: int, max_count: int) -> list[int]:
     return np.unique(np.linspace(n - 1, 0, max(1, min(n, max_count))).round().astype(int)).tolist()
 
 
-def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tuple[str, list[int]]:
-    """The viewer with as many of the increments as fit into a size in letters, evenly chosen, at least the last one."""
-    last = increments[-1:]
-    parts = _parts(WebData(results, last))
+def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tuple[str, list[int], bool]:
+    """The viewer with as many of the increments as fit into a size in letters, evenly chosen, at least the last one.
+
+    Where not all of them fit they have less detail, those before the last one the least.
+
+    Returns
+    -------
+    str
+        The viewer.
+    list of int
+        The increments.
+    bool
+        They have less detail.
+    """
+    data = WebData(results, increments)
     # of many contacts the others need not be looked at
-    if sum(map(len, parts.values())) > max_size:
-        increments = last
-    while len(increments) > 1:
-        more = _parts(WebData(results, increments))
-        size = sum(map(len, more.values()))
-        if size <= max_size:
-            parts = more
-            break
-        fewer = min(len(increments) - 1, max(1, int(len(increments) * max_size / size)))
+    reduced = len(data.packed_increment(len(increments) - 1)) > max_size
+    parts = {} if reduced else _parts(data)
+    reduced |= _size(parts) > max_size
+    if reduced:
+        parts = _parts(data, SHORT, PLAIN)
+    while _size(parts) > max_size and len(increments) > 1:
+        others = sum(len(parts[f"increment-{place}"]) for place in range(len(increments) - 1))
+        share = (max_size - _size(parts) + others) / others
+        fewer = max(1, min(len(increments) - 1, 1 + int((len(increments) - 1) * share)))
         increments = [increments[place] for place in evenly_chosen(len(increments), fewer)]
-    return f"{_text('viewer.html')}{_inside(parts)}{_scripts()}", increments
+        parts = _parts(WebData(results, increments), SHORT, PLAIN)
+    return f"{_text('viewer.html')}{_inside(parts)}{_scripts()}", increments, reduced
+
+
+def _size(parts: dict[str, str]) -> int:
+    return sum(map(len, parts.values()))
 
 
 def _embedded(data: WebData) -> str:
     return _inside(_parts(data))
 
 
-def _parts(data: WebData) -> dict[str, str]:
+def _parts(data: WebData, detail: Detail | None = None, of_last: Detail | None = None) -> dict[str, str]:
+    """The model, and the increments with the detail of those before the last one and of the last one."""
+    last = len(data.increments) - 1
     parts = {"model": data.packed_model()}
-    parts |= {f"increment-{place}": data.packed_increment(place) for place in range(len(data.increments))}
+    for place in range(last + 1):
+        parts[f"increment-{place}"] = data.packed_increment(place, detail if place < last else of_last)
     return parts
 
 

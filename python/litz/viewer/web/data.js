@@ -54,11 +54,12 @@ function numbers({ rows, steps, planes, at, none }, arrays) {
    return values;
 }
 
-/** An increment of a page with places instead of displacements. */
+/** An increment of a page with places instead of displacements, and with lists of contacts. */
 function placed(data, model) {
    const add = (moved, rest) => moved.map((value, k) => value + rest[k]);
    data.curves = add(data.curves, model.rest);
    for (const part of [data.spots, data.lines]) part.now = add(part.now, part.rest);
+   data.contacts = Object.fromEntries(Object.entries(data.contacts).map(([name, column]) => [name, Array.from(column)]));
    return data;
 }
 
