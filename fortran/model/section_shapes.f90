@@ -21,7 +21,7 @@ module litz_section_shapes
       real(dp) :: i11 = 0, i22 = 0, j = 0
       !> Shear stiffness over G A, for shear along the principal axes
       real(dp) :: shear_factor(2) = 1
-      !> Its corners along n1 and n2, from the centroid (2, n) [m]; not allocated: it has none
+      !> Corners of its outline along n1 and n2, from the centroid, anticlockwise (2, n) [m]; not allocated: it has none
       real(dp), allocatable :: corners(:, :)
       !> Angle from n1 to the first principal axis [rad]
       real(dp) :: turn = 0
@@ -125,8 +125,8 @@ contains
       points = reshape([a - t2/2, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, b - t1/2], [2, 3])
       shape%j = ((a - t2/2)*t1**3 + (b - t1/2)*t2**3)/3                            ! Timoshenko and Goodier, section 113
       call set_unsymmetric(shape, second, points, [t1, t2], centroid)
-      shape%corners = reshape([-t2, -t1, 2*a - t2, -t1, 2*a - t2, t1, t2, 2*b - t1, -t2, 2*b - t1], [2, 5])/2 &
-         - spread(centroid, 2, 5)
+      shape%corners = reshape([-t2, -t1, 2*a - t2, -t1, 2*a - t2, t1, t2, t1, t2, 2*b - t1, -t2, 2*b - t1], [2, 6])/2 &
+         - spread(centroid, 2, 6)
    end function l_section
 
    !> Second moments of a rectangle about a point: integrals of y2^2, y1 y2, and y1^2 (3) [m^4].
@@ -220,7 +220,7 @@ contains
       real(dp), intent(in) :: h, b
       !> Thickness of flanges and web [m]; Poisson's ratio
       real(dp), intent(in) :: flange, web, poisson
-      real(dp) :: clear, depth, m, n, horizontal
+      real(dp) :: clear, depth, m, n, horizontal, right(2, 6)
 
       clear = h - 2*flange
       depth = h - flange
@@ -235,7 +235,10 @@ contains
          + poisson*(11 + 66*m + 135*m**2 + 90*m**3) + 30*n**2*(m + m**2) + 5*poisson*n**2*(8*m + 9*m**2))
       horizontal = 2*b*flange/shape%area
       shape%shear_factor(1) = 10*(1 + poisson)/(12 + 11*poisson)*horizontal
-      allocate (shape%corners, source=corners_of([b, h]/2))
+      right = reshape([b, -h, b, -clear, web, -clear, web, clear, b, clear, b, h], [2, 6])/2
+      allocate (shape%corners(2, 12))
+      shape%corners(:, :6) = right
+      shape%corners(:, 7:) = -right
    end function i_section
 
 end module litz_section_shapes

@@ -10,6 +10,7 @@ module litz_wire_results
    use litz_result_quantities, only: wire_quantity_t, choose_results, list_wire_quantities
    use litz_state, only: state_t
    use litz_surface_choices, only: surface_shapes
+   use litz_text, only: to_text
    use litz_hdf5_files, only: hid_t, hdf5_create_group, hdf5_flush
    use litz_hdf5_attributes, only: hdf5_write_attribute, hdf5_write_text
    use litz_hdf5_rows, only: hdf5_rows_t, hdf5_real, hdf5_integer
@@ -56,6 +57,7 @@ contains
       call add_fields(self, model, error)
       call write_static_fields(self, model, error)
       call write_origin(self, model, error)
+      call write_outlines(self%litz_group, model, error)
       call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
       call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
       call write_surfaces(self%litz_group, model, error)
@@ -185,6 +187,32 @@ contains
          call rows%append(reshape(int(ids(sets(i)%members), kind(rows%n_rows)), [1, n]), error)
       end do
    end subroutine write_sets
+
+   !> Outlines of sections that are not round, by the numbers of the sections: corners along the section axes from the node,
+   !> and the approximate direction of the first one.
+   subroutine write_outlines(parent, model, error)
+      !> Identifier of the group that they are written into
+      integer(hid_t), intent(in) :: parent
+      type(model_t), intent(in) :: model
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hid_t) :: outlines, axes
+      type(hdf5_rows_t) :: rows
+      integer :: i, n
+
+      if (.not. any([(allocated(model%sections(i)%corners), i=1, size(model%sections))])) return
+      call hdf5_create_group(parent, 'outlines', outlines, error)
+      call hdf5_create_group(parent, 'first_axes', axes, error)
+      do i = 1, size(model%sections)
+         associate (this => model%sections(i))
+            if (.not. allocated(this%corners)) cycle
+            n = size(this%corners, 2)
+            call rows%create(outlines, to_text(i), 2, hdf5_real, n, error)
+            call rows%append(this%corners + spread(this%shear_centre + this%centroid, 2, n), error)
+            call rows%create(axes, to_text(i), 3, hdf5_real, 1, error)
+            call rows%append(reshape(this%n1, [3, 1]), error)
+         end associate
+      end do
+   end subroutine write_outlines
 
    !> The rigid surfaces by their names, where there are some: point, direction and radius before any deformation, with
    !> shape and reference node; a row for each corner of the amplitude of the radius, and its total time.

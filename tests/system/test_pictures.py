@@ -253,10 +253,11 @@ def test_a_contact_that_opens_has_no_force_until_it_closes_again(run_of_input):
 
 
 @pytest.mark.parametrize(("card", "text"), [
-    ("*Beam Section, elset=WIRE, material=M, section=RECT\n 1e-3, 2e-3", "sections are drawn as circles"),
+    ("*Beam Section, elset=WIRE, material=M, section=GENERAL\n 1e-6, 1e-12, 0, 1e-12, 2e-12", "sections are drawn as circles"),
+    ("*Beam Section, elset=WIRE, material=M, section=RECT\n 1e-3, 2e-3", ""),
     ("*BEAM SECTION, ELSET=WIRE, MATERIAL=M, SECTION=PIPE\n 1e-3, 2e-4", ""),
 ])  # fmt: skip
-def test_a_picture_says_where_sections_are_not_round(run, card, text):
+def test_a_picture_says_where_sections_have_no_outline(run, card, text):
     _, results = run(
         f"*NODE, NSET=N\n 1, 0, 0, 0\n 2, 0.1, 0, 0\n*ELEMENT, TYPE=B33, ELSET=WIRE\n 1, 1, 2\n*MATERIAL, NAME=M\n*ELASTIC\n"
         f" 2e11, 0.3\n{card}\n 0, 1, 0\n*BOUNDARY\n 1, ENCASTRE\n*STEP\n*STATIC\n*CLOAD\n 2, 3, 1\n*END STEP\n"

@@ -23,7 +23,7 @@ from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
 from . import cable_charts, charts, friction_charts, network_chart, surface_charts, zone_charts
-from .scene import VIEWS, Camera, Scene, SceneMaker, aim
+from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, line_colours, render
 
 STYLE = {
@@ -264,7 +264,7 @@ def _still(figure: Figure, results: Results, increment: int, look: Look, box: tu
 
 
 def _camera(scene: Scene, pixels: np.ndarray, look: Look) -> Camera:
-    return aim(scene.outline, scene.radius.max(), pixels[0] / pixels[1], look.direction)
+    return aim(scene.outline, scene.reach, pixels[0] / pixels[1], look.direction)
 
 
 def box_pixels(figure: Figure, box: tuple[float, float, float, float]) -> np.ndarray:
@@ -294,7 +294,9 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
         notes.append("grey: undeformed axes")
-    if scene.shape_text:
+    if drawn is None and scene.frames:
+        notes.append(AS_CIRCLES)
+    elif scene.shape_text:
         notes.append(scene.shape_text)
     if scale != 1.0:
         notes.append(f"displacements times {scale:g}")

@@ -1,7 +1,7 @@
 """What a picture of the wires shows, in metres, and the camera that looks at it."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -12,12 +12,12 @@ from ..results.surface_patches import surface_patches
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
 from .contact_marks import ContactMarks, Spots
+from .prisms import Frames, first_axes, lines_of_one_section
 
 _MAX_POINTS = 60_000
-# A section that is not round
-_OTHER_SHAPE = re.compile(
-    r"^\*BEAM *(?:GENERAL *)?SECTION\b[^\n]*, *SECTION *= *(?!CIRC|PIPE)", re.IGNORECASE | re.MULTILINE
-)
+# Shapes of sections
+_SHAPE = re.compile(r"^\*BEAM *(?:GENERAL *)?SECTION\b[^\n]*, *SECTION *= *(\w+)", re.IGNORECASE | re.MULTILINE)
+AS_CIRCLES = "sections are drawn as circles"
 #: Directions to the viewer that have a name
 VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "-x": (-1, 0, 0), "-y": (0, -1, 0), "-z": (0, 0, -1),
          "iso": (1, -1, 0.8)}  # fmt: skip
@@ -58,6 +58,8 @@ class Scene:
         Name of the colour map.
     length_unit : str
         Unit of all places and radii.
+    frames : dict
+        Section axes and outlines of the wires that are not drawn as tubes, by their numbers.
     """
 
     points: np.ndarray
@@ -83,6 +85,12 @@ class Scene:
     limits: tuple[float, float]
     colours: str
     length_unit: str
+    frames: dict[int, Frames] = field(default_factory=dict)
+
+    @property
+    def reach(self) -> float:
+        """How far anything reaches from its axis [m]."""
+        return max([float(self.radius.max()), *(frames.reach for frames in self.frames.values())])
 
     @property
     def outline(self) -> np.ndarray:
@@ -138,18 +146,20 @@ class SceneMaker:
         self._marks = ContactMarks(results, increments, spots)
         self._patches = surface_patches(results, increments)
         self._shape_text = _shape_text(results)
-        self._wires = results.wires
+        self._wires, self._sections = lines_of_one_section(results)
         self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
 
     def _curves(self, displacement: np.ndarray, rotation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return element_curves(self._results.nodes, displacement, rotation, self._wires, len(self._results.elements))
+        results = self._results
+        return element_curves(results.nodes, displacement, rotation, results.wires, len(results.elements))
 
     def scene(self, increment: int) -> Scene:
         """What is seen of one of the increments."""
         results, wires = self._results, self._wires
         n = int(np.clip(_MAX_POINTS // len(results.elements), 1, 24))
         displacement = results.field("displacement", increment)
-        now = self._curves(displacement, results.field("rotation", increment))
+        rotation = results.field("rotation", increment)
+        now = self._curves(displacement, rotation)
         positions, slopes = (
             before + self._scale * (after - before) for before, after in zip(self._rest, now, strict=True)
         )
@@ -182,7 +192,22 @@ class SceneMaker:
             limits=self._limits,
             colours=self._colours,
             length_unit=results.unit_labels["m"],
+            frames=self._frames(rotation, starts, n),
         )
+
+    def _frames(self, rotation: np.ndarray, starts: np.ndarray, n: int) -> dict[int, Frames]:
+        """Section axes of the lines that have an outline, at the points of `sample_wires`."""
+        outlines = self._results.section_outlines
+        if not outlines:
+            return {}
+        rest, now = (first_axes(self._results, turn) for turn in (np.zeros_like(rotation), rotation))
+        ends = rest + self._scale * (now - rest)
+        axes = np.stack([along_wires(ends[:, :, axis], self._wires, n) for axis in range(3)], axis=1)
+        return {
+            number: Frames(outlines[section].corners, axes[starts[number] : starts[number + 1]], int(line.signs[0]))
+            for number, (line, section) in enumerate(zip(self._wires, self._sections, strict=True))
+            if section
+        }
 
     def surface_points(self, increments: list[int]) -> list[np.ndarray]:
         """Corners of the rigid surfaces at increments, each (k, 3) [m]."""
@@ -207,7 +232,17 @@ def _shape_text(results: Results) -> str:
     except (KeyError, OSError):
         # not from this program
         return ""
-    return "sections are drawn as circles" if _OTHER_SHAPE.search(deck) else ""
+    shapes = {shape.upper() for shape in _SHAPE.findall(deck)} - {"CIRC", "PIPE"}
+    if shapes and not results.section_outlines:
+        return AS_CIRCLES
+    told = ["general sections are drawn as circles"] if "GENERAL" in shapes else []
+    outlined = results.element_ids[np.isin(results.sections, list(results.section_outlines))]
+    contacts, on_surfaces = results.contacts, results.surface_contacts
+    touching = [contacts[name] for name in ("element_1", "element_2")] if contacts.n_rows else []
+    touching += [on_surfaces["element"]] if on_surfaces.n_rows else []
+    if any(np.isin(elements, outlined).any() for elements in touching):
+        told.append("wires touch as round ones")
+    return "\n".join(told)
 
 
 def sample_wires(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:

@@ -51,7 +51,7 @@ def tubes(points: np.ndarray, starts: np.ndarray, radius: np.ndarray, sides: int
         Of the numbers of corners and normals; large pictures take half the memory with `numpy.float32`.
     """
     source, first = _smooth_lines(points, starts)
-    along = _tangents(points[source], first)
+    along = tangents(points[source], first)
     across, third = _untwisted(along)
     begin, stop = first, np.append(first[1:], len(source))
     n_cap = len(_CAP)
@@ -98,7 +98,7 @@ def _smooth_lines(points: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, n
     return kept[order], np.flatnonzero(is_first)
 
 
-def _tangents(points: np.ndarray, first: np.ndarray) -> np.ndarray:
+def tangents(points: np.ndarray, first: np.ndarray) -> np.ndarray:
     """Unit tangents of lines at their points, (n, 3)."""
     chords = np.diff(points, axis=0)
     between = first[1:] - 1

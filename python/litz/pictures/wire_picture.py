@@ -20,9 +20,10 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 from ..base.quantities import engineering, with_unit
 from . import drawing_process
 from .contact_marks import Spots
+from .prisms import prism
 from .scene import Camera, Scene
+from .tube_mesh import Mesh, tubes
 from .tube_mesh import discs as discs_mesh
-from .tube_mesh import tubes
 
 SPOT_COLOUR = "#e8502a"
 SURFACE_COLOUR, SURFACE_OPACITY = "#8296aa", 0.35
@@ -151,7 +152,7 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
     in_pixels = radius.max() * width / (2 * camera.half_width)
     # the polygon of a ring departs from the circle by less than a fifth of a pixel
     sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
-    tube = tubes(scene.points, scene.starts, radius, sides, np.float32)
+    tube = _wires(scene, radius, sides, _MIN_RADIUS * camera.half_width)
     colours = mpl.colormaps[scene.colours](mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
     points, triangles, mark_colours = marks(scene, camera, width)
     reference, starts = scene.reference, scene.reference_starts
@@ -164,6 +165,27 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
         "surface_points": scene.surface_points, "surface_quads": scene.surface_quads, "surface_rim": scene.surface_rim,
         "surface_colour": np.array(_bytes(SURFACE_COLOUR)), "surface_opacity": np.array(SURFACE_OPACITY),
     }  # fmt: skip
+
+
+def _wires(scene: Scene, radius: np.ndarray, sides: int, least: float) -> Mesh:
+    """Tubes with radii (n) at the points, and outlines that reach so far at least [m]."""
+    lines = range(len(scene.starts) - 1)
+    if not scene.frames:
+        return tubes(scene.points, scene.starts, radius, sides, np.float32)
+    rows = {line: np.arange(scene.starts[line], scene.starts[line + 1]) for line in lines}
+    meshes = [(rows[line], prism(scene.points[rows[line]], frames, least)) for line, frames in scene.frames.items()]
+    is_round = [rows[line] for line in lines if line not in scene.frames]
+    if is_round:
+        of_tubes = np.concatenate(is_round)
+        starts = np.cumsum([0, *map(len, is_round)])
+        meshes.append((of_tubes, tubes(scene.points[of_tubes], starts, radius[of_tubes], sides, np.float32)))
+    first = np.cumsum([0, *(len(mesh.points) for _, mesh in meshes)])
+    return Mesh(
+        np.concatenate([mesh.points for _, mesh in meshes]),
+        np.concatenate([mesh.normals for _, mesh in meshes]),
+        np.concatenate([places[mesh.source] for places, mesh in meshes]),
+        np.concatenate([start + mesh.triangles for start, (_, mesh) in zip(first, meshes, strict=False)]),
+    )
 
 
 def marks(scene: Scene, camera: Camera, width: float) -> _Marks:

@@ -17,6 +17,7 @@ from ..errors import FileError, WarningEntry
 from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
 from .found_files import find_result_file
 from .ledger import read_ledger
+from .outlines import SectionOutline
 from .rigid_surfaces import SurfaceShape, read_surfaces
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv, read_units
@@ -214,6 +215,20 @@ class ResultFile:
         """The rigid surfaces by their names, as they are before any deformation."""
         with self._open() as file:
             return read_surfaces(file)
+
+    @cached_property
+    def sections(self) -> np.ndarray:
+        """Number of the section of each element, from 1, (n_elements)."""
+        return self._static("VTKHDF/CellData/section")
+
+    @cached_property
+    def section_outlines(self) -> dict[int, SectionOutline]:
+        """Outlines of the sections that are not round and have one, by the numbers of the sections."""
+        with self._open() as file:
+            return {
+                int(name): SectionOutline(corners[()], file["litz/first_axes"][name][0])
+                for name, corners in file.get("litz/outlines", {}).items()
+            }
 
     def _static(self, name: str) -> np.ndarray:
         with self._open() as file:
