@@ -188,8 +188,8 @@ contains
       end do
    end subroutine write_sets
 
-   !> Outlines of sections that are not round, by the numbers of the sections: corners along the section axes from the node,
-   !> and the approximate direction of the first one.
+   !> Outlines of sections that are not round, by the numbers of the sections: corners along the section axes from the
+   !> node, and the approximate direction of the first one.
    subroutine write_outlines(parent, model, error)
       !> Identifier of the group that they are written into
       integer(hid_t), intent(in) :: parent

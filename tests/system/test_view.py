@@ -18,8 +18,10 @@ from litz.base.quantities import engineering
 from litz.viewer.data import WebData
 from litz.viewer.page import fitting_viewer, viewer_style
 from litz.viewer.page import page as html_page
+from litz.viewer.page import viewer as html_viewer
 from litz.viewer.server import ViewServer
 from test_cli import ENTRY
+from test_outlines import ANGLE, OUTLINES, cantilever
 
 LONGEST_WAIT = 60
 
@@ -282,6 +284,27 @@ class TestReport:
         assert "gap" in row
         assert "resistance" not in row
         assert errors(browser) == []
+
+    @pytest.mark.slow
+    def test_sections_that_are_not_round_have_their_outline(self, browser, run, tmp_path):
+        """An L along x, twisted at its end; its first axis was along y."""
+        _, results = run(cantilever(ANGLE, load="3, 4, 0.1"))
+        saved = tmp_path / "angle.html"
+        saved.write_text(html_page("angle", html_viewer(WebData(results)), viewer_style()), encoding="utf-8")
+        load(browser, saved.as_uri())
+        assert errors(browser) == []
+        places = ask(browser, "Array.from(viewer.prisms.mesh.geometry.attributes.position.array)")
+        # from the middle of the model, as the first 13 sections of the second element, and its ends
+        corners = np.array(places).reshape(2, -1, 3)[1, :-12].reshape(13, 12, 3)[-1]
+        angle = results.field("rotation")[2, 0]
+        assert angle > 0.01
+        first, second = 1e-3 * np.array(OUTLINES[ANGLE]).T[:, :, None]
+        end = results.positions()[2] - [0.05, 0, 0]
+        along_first, along_second = np.array([[0, np.cos(angle), np.sin(angle)], [0, -np.sin(angle), np.cos(angle)]])
+        expected = end + first * along_first + second * along_second
+        np.testing.assert_allclose(corners[::2], expected, atol=2e-5)
+        # the tube is not drawn
+        assert ask(browser, "Array.from(viewer.tubes.radii.array)") == [-1, -1]
 
 
 class TestNotebook:

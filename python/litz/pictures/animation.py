@@ -17,6 +17,7 @@ from ..base.output import writing
 from ..errors import FileError
 from ..results import Results
 from .plots import STYLE, Look, box_pixels, new_figure, place_wires, title, with_increments
+from .prisms import reach_of_sections
 from .scene import aim
 from .wire_picture import render
 
@@ -94,7 +95,7 @@ def _frames(results: Results, increments: list[int], look: Look, size: tuple[int
     shown = [results.nodes + look.scale * results.field("displacement", increment) for increment in increments]
     shown += [results.nodes] if look.reference else []
     shown += maker.surface_points(increments)
-    camera = aim(np.concatenate(shown), 1.5 * results.radius.max(), box[0] / box[1], look.direction)
+    camera = aim(np.concatenate(shown), 1.5 * reach_of_sections(results), box[0] / box[1], look.direction)
     for start in range(0, len(increments), _BATCH):
         batch = increments[start : start + _BATCH]
         scenes = [maker.scene(increment) for increment in batch]

@@ -35,6 +35,12 @@ class Frames:
         return float(np.linalg.norm(self.outline, axis=1).max())
 
 
+def reach_of_sections(results: Results) -> float:
+    """How far any section reaches from the axis of its wire [m]."""
+    corners = [np.linalg.norm(outline.corners, axis=1).max() for outline in results.section_outlines.values()]
+    return float(max([results.radius.max(), *corners]))
+
+
 def lines_of_one_section(results: Results) -> tuple[list[Wire], list[int]]:
     """The wires, divided where their section changes, if any section has an outline; with the section of each, 0: it is round."""
     outlines = results.section_outlines

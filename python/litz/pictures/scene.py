@@ -145,7 +145,7 @@ class SceneMaker:
         )
         self._marks = ContactMarks(results, increments, spots)
         self._patches = surface_patches(results, increments)
-        self._shape_text = _shape_text(results)
+        self._shape_text = shape_text(results)
         self._wires, self._sections = lines_of_one_section(results)
         self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
 
@@ -225,7 +225,7 @@ class SceneMaker:
         return np.concatenate(points), np.concatenate(quads), np.concatenate(rims)
 
 
-def _shape_text(results: Results) -> str:
+def shape_text(results: Results) -> str:
     """What is to be said of sections that are not round."""
     try:
         deck = results.deck
@@ -242,7 +242,7 @@ def _shape_text(results: Results) -> str:
     touching += [on_surfaces["element"]] if on_surfaces.n_rows else []
     if any(np.isin(elements, outlined).any() for elements in touching):
         told.append("wires touch as round ones")
-    return "\n".join(told)
+    return "; ".join(told)
 
 
 def sample_wires(positions: np.ndarray, slopes: np.ndarray, wires: list[Wire], n: int) -> tuple[np.ndarray, np.ndarray]:

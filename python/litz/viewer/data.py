@@ -9,7 +9,8 @@ import numpy as np
 
 from ..base.table import Table
 from ..pictures.contact_marks import all_spots, spot_places
-from ..pictures.scene import aim
+from ..pictures.prisms import first_axes, reach_of_sections, triangles_of
+from ..pictures.scene import aim, shape_text
 from ..pictures.wire_picture import line_colours
 from ..results import Results
 from ..results.contact_places import ContactPlaces, contact_places
@@ -137,7 +138,7 @@ class WebData:
     def _model(self) -> dict:
         results, picked = self._results, self.increments
         places = np.concatenate([results.positions(k) for k in (*picked[:: max(1, len(picked) // 20)], picked[-1])])
-        margin = 1.5 * results.radius.max()
+        margin = 1.5 * reach_of_sections(results)
         shown = np.concatenate([results.nodes, places, *self._corners(picked)])
         camera = aim(shown, margin, 1.4)
         known = list(self._ranges.values())
@@ -153,6 +154,9 @@ class WebData:
             "elements": Numbers(results.elements, np.int32, 1.0),
             "radii": Numbers(results.radius),
             "rest": self._places(self._packed(self._rest)),
+            "outlines": self._outlines(),
+            "shape_text": shape_text(results),
+            "frames": self._frames(np.zeros_like(results.nodes)),
             "radius": float(np.linalg.norm(shown - self._centre, axis=1).max() + margin),
             "view": {
                 "toward": camera.toward.tolist(),
@@ -188,6 +192,7 @@ class WebData:
         now, rest = (all_spots(results, contacts, on_surfaces, each) for each in (curves, self._rest))
         return {
             "curves": self._places(self._packed(curves)),
+            "frames": self._frames(rotation),
             "fields": {name: Numbers(scalar_field(results, name, index)) for name in sorted(fields)},
             "spots": {
                 "rest": self._places(rest.places - self._centre),
@@ -272,6 +277,26 @@ class WebData:
             "quads": Numbers(patch.quads, np.int32, 1.0),
             "rim": Numbers(patch.rim, np.int32, 1.0),
         }
+
+    def _outlines(self) -> list[dict]:
+        """Of each section that is not round its elements, its corners, and the triangles that fill it."""
+        results = self._results
+        return [
+            {
+                "elements": Numbers(np.flatnonzero(results.sections == section), np.int32, 1.0),
+                "corners": self._places(outline.corners),
+                "caps": Numbers(triangles_of(outline.corners), np.int32, 1.0),
+            }
+            for section, outline in results.section_outlines.items()
+        ]
+
+    def _frames(self, rotation: np.ndarray) -> Numbers:
+        """First section axes at both ends of the elements that have an outline, in the order of `_outlines`."""
+        results = self._results
+        rows = [np.flatnonzero(results.sections == section) for section in results.section_outlines]
+        if not rows:
+            return Numbers(np.zeros((0, 2, 3)), step=_TURN)
+        return Numbers(first_axes(results, rotation)[np.concatenate(rows)], step=_TURN)
 
     def _packed(self, curves: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
         """Both ends of each element and both slopes, (n_elements, 4, 3)."""

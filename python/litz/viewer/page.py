@@ -15,7 +15,7 @@ _MODULES = {
     "three": "three.min.js",
     **{
         f"litz/{name}.js": f"{name}.js"
-        for name in ("data", "frame", "ledger", "spots", "stage", "surfaces", "tubes", "viewer", "zones")
+        for name in ("data", "frame", "ledger", "prisms", "spots", "stage", "surfaces", "tubes", "viewer", "zones")
     },
 }
 _ICON = "data:,"

@@ -38,9 +38,11 @@ const VERTEX = `
       value = mix(ends.x, ends.y, (1. + xi) / 2.);
       gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.);
       gl_Position.z -= 2. * before * gl_Position.w;
+      // outside of what is seen
+      if (radius < 0.) gl_Position = vec4(2., 2., 2., 1.);
    }`;
 
-const FRAGMENT = `
+export const FRAGMENT = `
    uniform sampler2D colours;
    uniform vec2 limits;
    varying vec3 viewNormal;
@@ -59,7 +61,7 @@ const FRAGMENT = `
 
 /** The tubes of a model. */
 export class Tubes {
-   /** rest: the undeformed curves, twelve floats per element; radii: one float per element; before: how much nearer to the viewer they are drawn, as a share of what is seen in depth. */
+   /** rest: the undeformed curves, twelve floats per element; radii: one float per element, less than 0: it is not drawn; before: how much nearer to the viewer they are drawn, as a share of what is seen in depth. */
    constructor(rest, radii, before = 0) {
       this.rest = rest;
       const n = radii.length;

@@ -3,6 +3,7 @@
 import { bytes, endValues, engineering, floats, integers, openResults } from "litz/data.js";
 import { drawColourBar, drawCompass } from "litz/frame.js";
 import { Ledger } from "litz/ledger.js";
+import { Prisms } from "litz/prisms.js";
 import { Spots } from "litz/spots.js";
 import { Stage } from "litz/stage.js";
 import { Surfaces } from "litz/surfaces.js";
@@ -18,14 +19,17 @@ class Viewer {
       this.load = increment;
       const rest = floats(model.rest);
       this.stage = new Stage(this.find("canvas"), model.radius, model.view);
-      this.tubes = new Tubes(rest, floats(model.radii));
+      const radii = floats(model.radii).slice();
+      for (const { elements } of model.outlines) for (const element of integers(elements)) radii[element] = -1;
+      this.tubes = new Tubes(rest, radii);
+      this.prisms = new Prisms(this.model.elements, model.outlines, model.frames, this.tubes);
       this.reference = referenceLines(rest);
       this.spots = new Spots(this.stage.scene);
       this.surfaces = new Surfaces(this.stage.scene, model.surfaces);
       this.zones = new Zones(this.stage.scene, this.stage.depth);
       this.ledger = new Ledger(root, model.ledger, model.surface_ledger, model.zones.columns, (id) => this.select(id));
       this.tables = Object.fromEntries(Object.entries(model.colours).map(([name, text]) => [name, bytes(text)]));
-      this.stage.scene.add(this.tubes.mesh, this.reference);
+      this.stage.scene.add(this.tubes.mesh, this.prisms.mesh, this.reference);
       this.stage.beforeDraw(() => {
          const minRadius = MIN_PIXELS / this.stage.pixelsPerMetre;
          this.tubes.setMinRadius(minRadius);
@@ -80,10 +84,12 @@ class Viewer {
       const { model, data } = this;
       const factor = Math.max(0, Number(this.find("scale").value) || 0);
       this.tubes.setShape(floats(data.curves), factor);
+      this.prisms.setShape(floats(data.frames), factor);
       const scalar = model.scalars.find(({ name }) => name === this.find("field").value);
       const ends = endValues(model, scalar, data);
       const { colours, limits } = this.range(scalar, ends);
       this.tubes.setValues(ends);
+      this.prisms.setValues(ends);
       this.tubes.setColours(this.tables[colours], limits);
       drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
       this.surfaces.move(data.surfaces, factor);
@@ -114,7 +120,7 @@ class Viewer {
       const places = Object.fromEntries(Object.entries(data.spots).map(([name, text]) => [name, floats(text)]));
       this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
       this.spots.set(places, factor, n ? data.contacts[by] : [], model.largest[by]);
-      this.find("spot-note").textContent = this.spotNote(by, n);
+      this.find("spot-note").textContent = [this.spotNote(by, n), model.shape_text].filter(Boolean).join("; ");
    }
 
    updateZones(factor) {
