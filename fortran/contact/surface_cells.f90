@@ -4,11 +4,12 @@
 module litz_surface_cells
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, axis_sagitta, on_axis
+   use litz_end_on_surface, only: wire_end_t
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t, friction_start_t
    use litz_line_law, only: line_wires_t, line_force_t
    use litz_normal_law, only: normal_law_t
-   use litz_rigid_line, only: relative_curvature_t, rigid_line, rigid_end, yielding_on_surface, yielding_end
+   use litz_rigid_line, only: relative_curvature_t, rigid_line, growth_of_lens, yielding_on_surface
    use litz_rigid_surface, only: rigid_surface_t, surface_distance
    use litz_rotations, only: cross
    use litz_state, only: surface_contact_t
@@ -18,8 +19,10 @@ module litz_surface_cells
    implicit none
    private
    public :: surface_cell_t, surface_memory_t, surface_point_t, wire_axis_t, survey_cell, curvature_of_cell, &
-      law_of_cell, take_law, laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force, &
-      advanced_memory, advanced_dents
+      curvature_of_surface, law_of_cell, take_law, contact_of_cell, centre_of_force, advanced_memory, advanced_dents
+
+   !> Overlap up to which a lens is followed, in radii
+   real(dp), parameter :: deepest = 0.05_dp
 
    !> The axis of an element as it is now.
    type :: wire_axis_t
@@ -72,9 +75,12 @@ module litz_surface_cells
       logical :: has_end(2) = .false.
       !> The law at the smallest gap: that of a state in balance, held fixed while the iteration goes there
       type(line_wires_t) :: law
-      !> Force of either end over the overlap to the power of 3/2 (2) [N/m^1.5], and curvature of the distance there
-      !> [1/m]
-      real(dp) :: law_of_end(2) = 0, bend_of_end(2) = 0
+      !> Energy of its lens over that with the far field of the law [-]
+      real(dp) :: growth = 1
+      !> Force of either end that nothing is beside, over the overlap to the power of 3/2 (2) [N/m^1.5], and how the
+      !> wire goes on from there
+      real(dp) :: law_of_end(2) = 0
+      type(wire_end_t) :: ends(2)
       !> As last surveyed
       type(surface_overlap_t) :: overlap
       !> Laws of metal that yields, and what it remembers of the last converged state
@@ -120,12 +126,12 @@ contains
       call find_surface_overlap(surface, axis%p, axis%radius, cell%overlap)
    end subroutine survey_cell
 
-   !> Relative curvatures at a place of an element.
-   pure type(relative_curvature_t) function curvature_of_cell(surface, axis, xi) result(relative)
+   !> Relative curvatures at a place of an element, and the lens in which that lies.
+   pure type(relative_curvature_t) function curvature_of_cell(surface, axis, xi, dent) result(relative)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis
-      !> The place
-      real(dp), intent(in) :: xi
+      !> The place; largest overlap that metal that yields remembers [m]
+      real(dp), intent(in) :: xi, dent
       real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), tangent(3), bend, e(2), curvature
 
       associate (p => axis%p)
@@ -141,8 +147,13 @@ contains
       ! the direction in which the surface is curved, along and across the wire
       e = [dot_product(cross(surface%direction, normal), tangent), dot_product(surface%direction, tangent)]
       relative%across = 1/axis%radius + curvature*e(2)**2
-      relative%along = bend/max(1 + bend*axis%radius, 0.5_dp) + curvature*e(1)**2
+      relative%of_surface = curvature*e(1)**2
+      relative%along = bend/max(1 + bend*axis%radius, 0.5_dp) + relative%of_surface
       relative%mixed = curvature*e(1)*e(2)
+      if (.not. relative%opening > 0) return
+      relative%deepest = max(dent, axis%radius - distance) &
+         + dot_product(normal, x1)**2/(2*relative%opening*dot_product(x1, x1))             ! delta + t^2/(2 k)
+      relative%deepest = max(0.0_dp, min(relative%deepest, deepest*axis%radius))
    end function curvature_of_cell
 
    !> Of a cylinder positive, of a bore negative [1/m].
@@ -173,64 +184,14 @@ contains
       type(surface_cell_t), intent(inout) :: cell
 
       cell%law = law
+      cell%growth = 1
+      cell%ends%law = law
+      if (.not. normal%line_penalty() > 0) cell%growth = growth_of_lens(law, curvature)
       cell%yielding%yields = normal%yields()
       if (.not. cell%yielding%yields) return
       cell%yielding%strip = yielding_on_surface(law, young, poisson, curvature, normal%yield_stress, normal%hardness)
       if (allocated(cell%yielding%dent)) deallocate (cell%yielding%dent)
    end subroutine take_law
-
-   !> Force of the ends over their overlap to the power of 3/2 (2) [N/m^1.5].
-   pure function laws_of_ends(surface, axis, young, poisson, penalty, has_end) result(laws)
-      type(rigid_surface_t), intent(in) :: surface
-      type(wire_axis_t), intent(in) :: axis
-      !> Of both ends of the wire (2) [Pa], [-], and eps_l [N/m^2] or 0
-      real(dp), intent(in) :: young(2), poisson(2), penalty
-      !> (2)
-      logical, intent(in) :: has_end(2)
-      real(dp) :: laws(2)
-      integer :: side
-
-      laws = 0
-      do side = 1, 2
-         if (has_end(side)) laws(side) = rigid_end(axis%radius, young(side), poisson(side), penalty, &
-            curvature_of_surface(surface))
-      end do
-   end function laws_of_ends
-
-   !> The laws of ends of metal that yields.
-   pure subroutine take_ends_that_yield(normal, surface, axis, young, poisson, cell)
-      type(normal_law_t), intent(in) :: normal
-      type(rigid_surface_t), intent(in) :: surface
-      type(wire_axis_t), intent(in) :: axis
-      !> Of both ends of the wire (2) [Pa], [-]
-      real(dp), intent(in) :: young(2), poisson(2)
-      type(surface_cell_t), intent(inout) :: cell
-      integer :: side
-
-      do side = 1, 2
-         if (cell%has_end(side)) cell%yielding%ends(side) = yielding_end(axis%radius, young(side), poisson(side), &
-            curvature_of_surface(surface), normal%yield_stress, normal%hardness)
-      end do
-   end subroutine take_ends_that_yield
-
-   !> Curvature of the distance along the wire at its ends (2) [1/m].
-   pure function bends_at_ends(surface, axis) result(bend)
-      type(rigid_surface_t), intent(in) :: surface
-      type(wire_axis_t), intent(in) :: axis
-      real(dp) :: bend(2), x1(3), x2(3), distance, normal(3), hessian(3, 3), xi
-      integer :: side
-
-      do side = 1, 2
-         xi = 2.0_dp*side - 3
-         associate (p => axis%p)
-            call surface_distance(surface, p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3))), distance, normal, &
-               hessian)
-            x1 = p(:, 1) + xi*(2*p(:, 2) + xi*3*p(:, 3))
-            x2 = 2*p(:, 2) + xi*6*p(:, 3)
-         end associate
-         bend(side) = (dot_product(normal, x2) + dot_product(x1, matmul(hessian, x1)))/dot_product(x1, x1)     ! k
-      end do
-   end function bends_at_ends
 
    !> Place in the element of a cell that touches.
    pure real(dp) function centre_of_force(cell) result(xi)

@@ -7,9 +7,10 @@
 module litz_surface_forces
    use litz_kinds, only: dp
    use litz_axis, only: axis_shape, on_axis
+   use litz_end_on_surface, only: end_energy
+   use litz_gauss, only: six_places, six_weights
    use litz_jets, only: jet_t, variable, constant, composed, operator(-), operator(*)
    use litz_line_law, only: line_force_t, line_force
-   use litz_rigid_line, only: end_energy
    use litz_rigid_surface, only: rigid_surface_t, surface_distance, distance_row, distance_hessian
    use litz_surface_cells, only: surface_cell_t, surface_point_t, wire_axis_t
    use litz_surface_dents, only: n_places, has_places, place_of, find_dents, dent_of_end
@@ -18,17 +19,8 @@ module litz_surface_forces
    use litz_yielding_spot, only: dent_t, yielding_state_t, state_at_overlap
    implicit none
    private
-   public :: press_cell, energies_of_cell, cell_forces, predicted_force
+   public :: press_cell, end_beside, energies_of_cell, cell_forces, predicted_force
 
-   !> Gauss's rule of six points
-   real(dp), parameter :: gauss_place(6) = [-0.93246951420315202781_dp, -0.66120938646626451366_dp, &
-      -0.23861918608319690863_dp, 0.23861918608319690863_dp, 0.66120938646626451366_dp, 0.93246951420315202781_dp]
-   real(dp), parameter :: gauss_weight(6) = [0.17132449237917034504_dp, 0.36076157304813860757_dp, &
-      0.46791393457269104739_dp, 0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
-
-   !> Unit of length, in radii, of an overlap from the end of a wire on: up to two of them the end carries it, from six
-   !> on the wire beside it
-   real(dp), parameter :: resolution = 0.26_dp
    !> Distance over which the slope at an end is taken, in radii
    real(dp), parameter :: beside_end = 0.1_dp
 
@@ -49,7 +41,7 @@ contains
       !> eps_l [N/m^2] of `f = eps_l delta`; 0: the elastic law
       real(dp), intent(in) :: penalty
       type(surface_cell_t), intent(inout) :: cell
-      type(surface_point_t) :: points(2*size(gauss_place)*cell%overlap%n + n_places + 4)
+      type(surface_point_t) :: points(2*size(six_places)*cell%overlap%n + n_places + 4)
       logical :: remembers
       integer :: n, part, i, side
 
@@ -89,8 +81,8 @@ contains
 
          if (.not. last > first) return
          associate (middle => (first + last)/2, half => (last - first)/2)
-            do k = 1, size(gauss_place)
-               call add(middle + half*gauss_place(k), gauss_weight(k)*half*axis%length/2, 0)
+            do k = 1, size(six_places)
+               call add(middle + half*six_places(k), six_weights(k)*half*axis%length/2, 0)
             end do
          end associate
       end subroutine add_part
@@ -126,28 +118,42 @@ contains
          integer, intent(in) :: end
          type(end_state_t) :: whole
          type(jet_t) :: energy, overlap, slope
-         real(dp) :: xi, gap(2), beside, way, unused
+         real(dp) :: place(2), gap(2), way
 
-         xi = 2.0_dp*end - 3
-         way = min(beside_end*axis%radius, axis%length/4)
-         beside = xi*(1 - 2*way/axis%length)
-         call gap_at(surface, axis%p, axis%radius, xi, gap(1), unused)
+         call end_beside(surface, axis, end, place, gap, way)
          if (gap(1) >= 0) return
-         call gap_at(surface, axis%p, axis%radius, beside, gap(2), unused)
          whole = state_of_end(cell, end, -gap(1))
          if (.not. whole%work > 0) return
          overlap = variable(-gap(1), 1)
-         slope = (1/way)*(overlap - variable(-gap(2), 2)) - constant(cell%bend_of_end(end)*way/2)
-         energy = end_energy(composed(overlap, whole%work, whole%force, whole%stiffness), cell%bend_of_end(end), &
-            resolution*axis%radius, overlap, slope)
-         if (.not. energy%value > 0) return
-         points(n + 1:n + 2)%xi = [xi, beside]
+         slope = (1/way)*(overlap - variable(-gap(2), 2)) - constant(cell%ends(end)%bend*way/2)
+         energy = end_energy(cell%ends(end), composed(overlap, whole%work, whole%force, whole%stiffness), overlap, &
+            slope)
+         if (.not. abs(energy%value) > 0) return
+         points(n + 1:n + 2)%xi = place
          points(n + 1:n + 2)%gap = gap
          call fill_end(whole, energy, points(n + 1:n + 2))
          n = n + 2
       end subroutine add_end
 
    end subroutine press_cell
+
+   !> An end, and the place beside it with which its slope is taken.
+   pure subroutine end_beside(surface, axis, end, place, gap, way)
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
+      !> 1 or 2
+      integer, intent(in) :: end
+      !> Places in the element, gaps there [m] (2), and how far they are from each other [m]
+      real(dp), intent(out) :: place(2), gap(2), way
+      real(dp) :: unused
+      integer :: i
+
+      way = min(beside_end*axis%radius, axis%length/4)
+      place = (2.0_dp*end - 3)*[1.0_dp, 1 - 2*way/axis%length]
+      do i = 1, 2
+         call gap_at(surface, axis%p, axis%radius, place(i), gap(i), unused)
+      end do
+   end subroutine end_beside
 
    !> Forces of an end, at its two places.
    pure subroutine fill_end(whole, energy, points)
@@ -199,8 +205,10 @@ contains
       if (.not. allocated(cell%points)) return
       do i = 1, size(cell%points)
          associate (point => cell%points(i))
-            if (point%at_end .or. .not. cell%yielding%yields) then
+            if (point%at_end) then
                energies = energies + point%weight*[point%normal%energy, point%yielded]
+            else if (.not. cell%yielding%yields) then
+               energies(1) = energies(1) + point%weight*point%normal%energy*cell%growth
             else
                state = state_of_place(place_of_point(cell, point), -point%gap)
                energies = energies + point%weight*[state%energy, state%dissipated]

@@ -9,17 +9,18 @@ module litz_surface_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_contact_energies, only: work_on_surfaces, softening_on_surfaces
-   use litz_element_library, only: material_at, material_place_t
+   use litz_element_library, only: material_at
    use litz_fields, only: motion_slots
    use litz_contact_kinematics, only: n_motions
    use litz_friction_iteration, only: friction_iteration_t, predict_friction, forget_friction
    use litz_friction_law, only: friction_law_t
    use litz_line_law, only: line_wires_t
    use litz_model, only: step_t
-   use litz_rigid_line, only: relative_curvature_t
+   use litz_rigid_line, only: relative_curvature_t, same_law
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
-      laws_of_ends, take_ends_that_yield, bends_at_ends, contact_of_cell, centre_of_force
+      contact_of_cell, centre_of_force
+   use litz_surface_ends, only: find_ends, update_ends, update_joints
    use litz_surface_findings, only: most_turn
    use litz_surface_flows, only: request_flow_slots, add_flows, link_flows, note_flows
    use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
@@ -30,7 +31,6 @@ module litz_surface_term
    use litz_term, only: term_t, status_t
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_update
-   use litz_wires, only: wires_t
    implicit none
    private
    public :: surface_term_t, new_surface_term
@@ -85,32 +85,14 @@ contains
             associate (members => domain%model%element_sets(pairs(pair)%set)%members)
                mine = pack(members, last_pair(members) == pair)
             end associate
-            term%cells = [term%cells, (surface_cell_t(element=mine(i), pair=pair, has_end=ends_of(domain%wires, &
-               domain%model%connectivity(:, mine(i)), last_pair > 0, mine(i))), i=1, size(mine))]
+            term%cells = [term%cells, (surface_cell_t(element=mine(i), pair=pair), i=1, size(mine))]
+            do i = size(term%cells) - size(mine) + 1, size(term%cells)
+               call find_ends(domain%wires, domain%model%connectivity(:, term%cells(i)%element), last_pair > 0, &
+                  term%cells(i))
+            end do
          end do
       end associate
    end function new_surface_term
-
-   !> Which nodes of an element are round ends or joints (2): at a kink of the first element there that may touch.
-   pure function ends_of(wires, nodes, is_member, e) result(has_end)
-      type(wires_t), intent(in) :: wires
-      !> Nodes of the element (2)
-      integer, intent(in) :: nodes(:)
-      !> Elements that may touch (n_elements)
-      logical, intent(in) :: is_member(:)
-      !> The element
-      integer, intent(in) :: e
-      logical :: has_end(2)
-      integer :: side
-
-      do side = 1, 2
-         associate (first => wires%first_at_node(nodes(side)), last => wires%first_at_node(nodes(side) + 1) - 1)
-            associate (here => abs(wires%at_node(first:last)))
-               has_end(side) = wires%next(side, e) == 0 .and. .not. any(is_member(here) .and. here < e)
-            end associate
-         end associate
-      end do
-   end function ends_of
 
    !> A surface that moves has all motions of its node.
    subroutine request_slots(self, domain, exists)
@@ -254,44 +236,22 @@ contains
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), model => domain%model)
             axis = element_axis(domain, cell%element, cell%pair)
-            curvature = curvature_of_cell(present_surface(domain, cell%pair), axis, cell%overlap%nearest)
+            curvature = curvature_of_cell(present_surface(domain, cell%pair), axis, cell%overlap%nearest, &
+               maxval(cell%dents%deepest))
             associate (there => material_at(model, domain%elements, cell%element, cell%overlap%nearest), &
                normal => model%interactions(model%surface_pairs(cell%pair)%interaction)%normal)
                law = law_of_cell(axis, there%young, there%poisson, curvature)
-               if (any(cell%has_end)) call update_ends(axis, cell)
+               if (any(cell%has_end)) call update_ends(domain, tolerance, cell, has_changed)
                call update_stick(cell)
-               if (tolerance > 0 .and. abs(log_lens(law) - log_lens(cell%law)) <= tolerance*abs(log_lens(law)) .and. &
-                  abs(law%modulus - cell%law%modulus) <= tolerance*law%modulus) cycle
+               if (tolerance > 0 .and. same_law(cell%law, law, -cell%overlap%gap, tolerance)) cycle
                call take_law(normal, law, there%young, there%poisson, curvature, cell)
             end associate
-            has_changed = .true.
+            has_changed = has_changed .or. cell%overlap%n > 0
          end associate
       end do
+      call update_joints(domain, tolerance, self%cells, has_changed)
 
    contains
-
-      !> What the round ends carry.
-      subroutine update_ends(axis, cell)
-         type(wire_axis_t), intent(in) :: axis
-         type(surface_cell_t), intent(inout) :: cell
-         type(material_place_t) :: there(2)
-         real(dp) :: laws(2), bend(2)
-
-         associate (interaction => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction))
-            there = [material_at(domain%model, domain%elements, cell%element, -1.0_dp), &
-               material_at(domain%model, domain%elements, cell%element, 1.0_dp)]
-            laws = laws_of_ends(present_surface(domain, cell%pair), axis, there%young, there%poisson, &
-               interaction%normal%line_penalty(), cell%has_end)
-            if (interaction%normal%yields()) call take_ends_that_yield(interaction%normal, &
-               present_surface(domain, cell%pair), axis, there%young, there%poisson, cell)
-         end associate
-         bend = bends_at_ends(present_surface(domain, cell%pair), axis)
-         if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
-            all(abs(bend - cell%bend_of_end)*axis%radius <= tolerance)) return
-         cell%law_of_end = laws
-         cell%bend_of_end = bend
-         has_changed = .true.
-      end subroutine update_ends
 
       !> The stiffness of the stick follows the force likewise.
       subroutine update_stick(cell)
@@ -306,13 +266,6 @@ contains
       end subroutine update_stick
 
    end subroutine update_laws
-
-   !> `-2 Lam_H`; beyond a lens so long that it makes no difference the same for all.
-   pure real(dp) function log_lens(law)
-      type(line_wires_t), intent(in) :: law
-
-      log_lens = log(max(law%lens, law%section*1.0e-12_dp*law%max_half_width**2, tiny(1.0_dp)))
-   end function log_lens
 
    subroutine evaluate(self, domain, error)
       class(surface_term_t), intent(inout) :: self

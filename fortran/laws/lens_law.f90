@@ -5,6 +5,7 @@
 !> -1 to 1 are those of four Gauss points, of which the two at u < 0 are the same as the others: exact where the force
 !> goes with the overlap, as in a Hertz contact.
 module litz_lens_law
+   use litz_gauss, only: six_places, six_weights
    use litz_kinds, only: dp
    use litz_line_law, only: line_wires_t, line_force_t, line_force, line_spot_t, line_spot
    implicit none
@@ -19,12 +20,7 @@ module litz_lens_law
    real(dp), parameter :: gauss_weight(n_depths) = 2*[0.65214515486254614263_dp, 0.34785484513745385737_dp]
    !> Gauss points in (0, 1) and their weights, over the square root of the overlap, for the energy: there the integrand
    !> is a polynomial but for the slow change of a logarithm
-   real(dp), parameter :: energy_place(6) = 0.5_dp + 0.5_dp*[ &
-      -0.93246951420315202781_dp, -0.66120938646626451366_dp, -0.23861918608319690863_dp, &
-      0.23861918608319690863_dp, 0.66120938646626451366_dp, 0.93246951420315202781_dp]
-   real(dp), parameter :: energy_weight(6) = 0.5_dp*[ &
-      0.17132449237917034504_dp, 0.36076157304813860757_dp, 0.46791393457269104739_dp, &
-      0.46791393457269104739_dp, 0.36076157304813860757_dp, 0.17132449237917034504_dp]
+   real(dp), parameter :: energy_place(6) = 0.5_dp + 0.5_dp*six_places, energy_weight(6) = 0.5_dp*six_weights
    !> A lens is a point up to the first half length, a line from the second one on, in spacings of the line points
    real(dp), parameter, public :: point_up_to = 2, line_from = 6
    !> Beside the smaller radius the half length of a lens is short up to the first value, so that the lens is the far

@@ -2,29 +2,31 @@
 !>
 !> Source: theory sections 10 and 12. Only the section of the wire gives way: `E* = E/(1 - nu^2)`,
 !> `Lam2 = ln(2 r/b) - 1/(8 (1 - nu))`, and `b^2 = 4 f R/(pi E*)` with the relative curvature `1/R` across the wire.
-!> The lens is that of the relative curvatures of wire and surface at the deepest place.
+!> The lens is that of the relative curvatures of wire and surface at the deepest place. As between wires, the section
+!> is no part of the far field while the lens is short.
 module litz_rigid_line
    use litz_kinds, only: dp, pi
-   use litz_cut_lens, only: energy_below
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
-   use litz_jets, only: jet_t, constant, composed, operator(+), operator(-), operator(*), operator(**)
-   use litz_lens_law, only: share_of_point, curvature_of_share, line_from
-   use litz_line_law, only: line_wires_t, line_overlap_t, line_overlap, widest_strip
+   use litz_lens_law, only: share_of_line, lens_energy, grown_energy
+   use litz_line_law, only: line_wires_t, line_force_t, line_force, line_overlap_t, line_overlap, widest_strip
    use litz_yielding_line, only: yielding_line_t, yielding_strip, add_crossing
-   use litz_yielding_spot, only: yielding_t, yielding_crossing
    implicit none
    private
-   public :: relative_curvature_t, rigid_line, rigid_end, end_energy, yielding_on_surface, yielding_end
+   public :: relative_curvature_t, rigid_line, growth_of_lens, same_law, yielding_on_surface
 
    !> Young's modulus of the surface over that of the wire
-   real(dp), parameter :: rigid = 1.0e30_dp
+   real(dp), parameter, public :: rigid = 1.0e30_dp
 
    !> How wire and surface part from each other.
    type :: relative_curvature_t
       !> Relative curvature of the surfaces across and along the wire, and the mixed one [1/m]
       real(dp) :: across = 0, along = 0, mixed = 0
+      !> Curvature of the surface along the wire [1/m]
+      real(dp) :: of_surface = 0
       !> Second derivative of the gap along the wire [1/m]
       real(dp) :: opening = 0
+      !> Deepest overlap of the lens in which the place lies [m]
+      real(dp) :: deepest = 0
    end type relative_curvature_t
 
 contains
@@ -40,13 +42,65 @@ contains
       line%square_per_force = 4/(max(curvature%across, 1.0e-3_dp/radius)*pi*line%modulus)
       line%section = exp(-2*(log(2*radius) - 1/(8*(1 - poisson))))
       line%lens = lens_of(young, poisson, curvature, line%modulus)
+      if (line%lens > 0) line%section = share_of_line(half_length(curvature)/radius)*line%section
       line%max_half_width = widest_strip*radius
       line%max_force = line%max_half_width**2/line%square_per_force
       widest = line_overlap(line, line%max_force, 0.0_dp)
       line%max_overlap = widest%overlap
    end function rigid_line
 
-   !> The same of metal that yields, on a surface that does not.
+   !> Energy of a lens over that which it would have if its far field had always been the present one: the section has
+   !> come to count while the lens grew.
+   pure real(dp) function growth_of_lens(line, curvature) result(ratio)
+      !> From `rigid_line`
+      type(line_wires_t), intent(in) :: line
+      type(relative_curvature_t), intent(in) :: curvature
+      type(line_wires_t) :: whole
+      real(dp) :: share, kept, unused(2)
+
+      ratio = 1
+      if (.not. line%lens > 0) return
+      share = share_of_line(half_length(curvature)/line%radius(1))
+      if (.not. share > 0) return
+      whole = line
+      whole%section = line%section/share
+      ! the sine is a factor of both
+      call lens_energy(line, -curvature%deepest, 1.0_dp, 0.0_dp, kept, unused(1), unused(2))
+      if (kept > 0) ratio = grown_energy(whole, -curvature%deepest, 1.0_dp, half_length(curvature)/line%radius(1), &
+         curvature%deepest)/kept
+   end function growth_of_lens
+
+   !> The far field and the elasticity of a law are those of another one, at an overlap.
+   pure logical function same_law(before, now, overlap, tolerance)
+      type(line_wires_t), intent(in) :: before, now
+      !> [m]; relative
+      real(dp), intent(in) :: overlap, tolerance
+      type(line_force_t) :: deepest
+
+      deepest = line_force(now, overlap, 0.0_dp)
+      same_law = abs(far_field(now, deepest%force) - far_field(before, deepest%force)) &
+         <= tolerance*abs(far_field(now, deepest%force))
+      same_law = same_law .and. abs(now%modulus - before%modulus) <= tolerance*now%modulus
+   end function same_law
+
+   !> `-2 Lam` at a force per length.
+   pure real(dp) function far_field(law, force)
+      type(line_wires_t), intent(in) :: law
+      !> f [N/m]
+      real(dp), intent(in) :: force
+
+      far_field = log(max(law%lens + law%section*law%square_per_force*force, tiny(1.0_dp)))
+   end function far_field
+
+   !> aW of the lens in which the place lies [m].
+   pure real(dp) function half_length(curvature)
+      !> Of a lens
+      type(relative_curvature_t), intent(in) :: curvature
+
+      half_length = sqrt(2*curvature%deepest/curvature%opening)
+   end function half_length
+
+   !> The law of a line of metal that yields, on a surface that does not.
    pure type(yielding_line_t) function yielding_on_surface(line, young, poisson, curvature, yield_stress, hardness) &
       result(law)
       type(line_wires_t), intent(in) :: line
@@ -63,73 +117,6 @@ contains
       if (exists) call add_crossing(ellipse, [poisson, poisson], [yield_stress, yield_stress], hardness, &
          curvature%opening, law)
    end function yielding_on_surface
-
-   !> Force of the round end of a wire on the surface, over the overlap to the power of 3/2 [N/m^1.5]: that of Hertz for
-   !> a sphere; with a penalty per length the part of the force of two such wires crossed that Hertz has.
-   pure real(dp) function rigid_end(radius, young, poisson, penalty, curvature) result(coefficient)
-      !> Of the wire: radius [m], Young's modulus [Pa], Poisson's ratio
-      real(dp), intent(in) :: radius, young, poisson
-      !> eps_l [N/m^2]; 0: the elastic law
-      real(dp), intent(in) :: penalty
-      !> Of the surface, in the direction in which it is curved [1/m]: positive of a cylinder, negative of a bore
-      real(dp), intent(in) :: curvature
-      type(hertz_ellipse_t) :: ellipse, crossed
-      integer :: info
-
-      ellipse = ellipse_of_end(radius, young, poisson, curvature)
-      coefficient = ellipse%approach**(-1.5_dp)                                            ! delta = cd F^(2/3)
-      if (.not. penalty > 0) return
-      call hertz_ellipse([radius, radius], [young, rigid*young], [poisson, 0.0_dp], pi/2, crossed, info)
-      coefficient = coefficient*crossed%approach**1.5_dp*4*penalty*sqrt(4*radius)/3        ! (4/3) eps_l delta aW
-   end function rigid_end
-
-   !> Spot of the round end of a wire on the surface.
-   pure type(hertz_ellipse_t) function ellipse_of_end(radius, young, poisson, curvature) result(ellipse)
-      !> As in `rigid_end`
-      real(dp), intent(in) :: radius, young, poisson, curvature
-      integer :: unused_info
-
-      call hertz_ellipse([radius, 1/(1/radius + curvature)], [young, rigid*young], [poisson, 0.0_dp], pi/2, ellipse, &
-         unused_info)
-   end function ellipse_of_end
-
-   !> Law of a round end of metal that yields.
-   pure type(yielding_t) function yielding_end(radius, young, poisson, curvature, yield_stress, hardness) result(law)
-      !> As in `rigid_end`
-      real(dp), intent(in) :: radius, young, poisson, curvature
-      !> [Pa]; a hardness of 0 is 2.8 times the yield stress
-      real(dp), intent(in) :: yield_stress, hardness
-      integer :: unused_info
-
-      call yielding_crossing(ellipse_of_end(radius, young, poisson, curvature), [poisson, poisson], &
-         [yield_stress, yield_stress], hardness, law, unused_info)
-   end function yielding_end
-
-   !> Energy of an end beside the wire along which the surface lies: nothing of a long overlap; of a short one, where
-   !> the wire is nearest to the surface at its end or beyond, or so near to it that the overlap is cut there, what the
-   !> cylinder leaves.
-   pure type(jet_t) function end_energy(whole, bend, spacing, overlap, slope) result(energy)
-      !> Energy of an end that nothing is beside, at this overlap [J]
-      type(jet_t), intent(in) :: whole
-      !> k [1/m], and unit of length of an overlap from the end on [m]
-      real(dp), intent(in) :: bend, spacing
-      !> Overlap at the end, positive [m], and slope t of the distance from there on [-]
-      type(jet_t), intent(in) :: overlap, slope
-      type(jet_t) :: square, length, u
-      real(dp) :: share, dshare
-
-      energy = constant(0.0_dp)
-      square = slope*slope + 2*bend*overlap
-      if (.not. square%value > 0) return
-      length = slope + square**0.5_dp
-      if (.not. length%value > overlap%value/(line_from*spacing)) return
-      length = 2.0_dp*overlap*length**(-1.0_dp)
-      call share_of_point(length%value, spacing, share, dshare)
-      if (.not. share > 0) return
-      u = (-1.0_dp)*slope*square**(-0.5_dp)
-      energy = whole*composed(length, share, dshare, curvature_of_share(length%value, spacing)) &
-         *(1.0_dp - energy_below(u))
-   end function end_energy
 
    !> `A = exp(-2 Lam_H)`, `Lam_H = pi E*/(2 k_H)`, with `k_H = (3/4) C sqrt(D''/2)` of `F = C delta^1.5`: the integral
    !> of `k_H delta` over the lens is then the law of Hertz. 0 where there is no lens.

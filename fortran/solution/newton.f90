@@ -37,6 +37,9 @@ module litz_newton
    !> Iterations to balance from where terms anticipate
    integer, parameter :: still_to_go = 2
 
+   !> Iterations that an increment has at least from where forces have balanced first
+   integer, parameter :: after_balance = 6
+
    !> A factor of the tangent is kept if the last iteration has left no more than this of the residual. That is about
    !> how much the tangent has changed in it, and what the next iteration with the old one will leave.
    real(dp), parameter :: kept_reduction = 0.01_dp
@@ -221,7 +224,10 @@ contains
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%settle(problem%domain_t, has_moved)
          end do
-         if (has_moved .and. outcome%to_balance == 0) outcome%to_balance = outcome%factorisations
+         if (has_moved .and. outcome%to_balance == 0) then
+            outcome%to_balance = outcome%factorisations
+            outcome%counted = min(outcome%counted, step%controls%i_c - after_balance)
+         end if
       else
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%anticipate(problem%domain_t, outcome%last%residual(field_displacement), &

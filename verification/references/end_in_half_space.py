@@ -1,0 +1,74 @@
+"""The round end of a cylinder is pressed into an elastic half-space: forces by a boundary-element method.
+
+Source: the deflection of a half-space under even pressure on a rectangle, A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929)
+377-420; contact as a linear complementarity problem, solved by projected conjugate gradients as I. A. Polonsky, L. M. Keer,
+Wear 231 (1999) 206-219, do. Lengths along the surface are over sqrt(rho delta), heights over the approach delta, so that a
+sphere of the radius rho has the height (x^2 + y^2)/2 and the force 4/3; E* is 1.
+"""
+
+import numpy as np
+
+
+def deflection_of_cells(shape, size):
+    """Deflection by a pressure of 1 on one cell, as the transform over twice the grid."""
+    (nx, ny), (dx, dy) = shape, size
+    x, y = np.meshgrid(np.arange(-nx, nx) * dx, np.arange(-ny, ny) * dy, indexing="ij")
+
+    def corner(x, y):
+        r = np.hypot(x, y)
+        return x * np.log(y + r) + y * np.log(x + r)
+
+    a, b = dx / 2, dy / 2
+    whole = corner(x + a, y + b) - corner(x - a, y + b) - corner(x + a, y - b) + corner(x - a, y - b)
+    return np.fft.rfft2(np.fft.ifftshift(whole / np.pi))
+
+
+def contact_force(height, size, tolerance=1e-7, most_iterations=2000):
+    """Force of a rigid body of these heights [delta] on cells of this size, approached by 1."""
+    kernel = deflection_of_cells(height.shape, size)
+    nx, ny = height.shape
+
+    def deflection(pressure):
+        padded = np.zeros((2 * nx, 2 * ny))
+        padded[:nx, :ny] = pressure
+        return np.fft.irfft2(np.fft.rfft2(padded) * kernel, s=padded.shape)[:nx, :ny]
+
+    overlap = 1 - height
+    pressure = np.sqrt(np.maximum(overlap, 0))
+    direction, last, conjugate = np.zeros_like(pressure), 1.0, False
+    for _ in range(most_iterations):
+        gap = deflection(pressure) - overlap
+        touching = pressure > 0
+        if np.abs(gap[touching]).max() < tolerance and gap[~touching].min() > -tolerance:
+            return pressure.sum() * size[0] * size[1]
+        square = (gap[touching] ** 2).sum()
+        direction = np.where(touching, gap + conjugate * square / last * direction, 0)
+        last = square
+        way = (gap[touching] * direction[touching]).sum() / (deflection(direction) * direction)[touching].sum()
+        pressure = np.maximum(pressure - way * direction, 0)
+        enters = (pressure == 0) & (gap < 0)
+        pressure[enters] -= way * gap[enters]
+        conjugate = not enters.any()
+    raise RuntimeError("the contact did not converge")
+
+
+def force_of_end(slope, bend, cells=70):
+    """Force over that of the sphere alone.
+
+    slope: v = t sqrt(rho/delta) at which the cylinder rises from the end on, positive; bend: kappa = k rho of its curvature
+    away from the surface. The curvature is that of the distance from the surface: 1/rho of the sphere, kappa/rho of the
+    cylinder along itself.
+    """
+    first = -slope - 1.4
+    last = max(1.7, 0.5 + 2 / (slope + np.sqrt(slope**2 + 2 * bend)))
+    n, m = round(cells * (last - first) / 2.8), cells + cells % 2
+    size = ((last - first) / n, 2.8 / m)
+    x = first + (np.arange(n) + 0.5) * size[0]
+    y = -1.4 + (np.arange(m) + 0.5) * size[1]
+    along = slope * x + np.where(x < 0, 1, bend) * x**2 / 2 + slope**2 / 2
+    return contact_force(along[:, None] + y[None, :] ** 2 / 2, size) / (4 / 3)
+
+
+if __name__ == "__main__":
+    for slope, bend in ((1.2, 0.0), (0.5, 0.0), (0.3, 0.0), (0.2, 0.0), (0.3, 0.1), (0.2, 0.3)):
+        print(slope, bend, *(force_of_end(slope, bend, cells) for cells in (50, 70, 100)))
