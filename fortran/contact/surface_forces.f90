@@ -118,7 +118,7 @@ contains
          integer, intent(in) :: end
          type(end_state_t) :: whole
          type(jet_t) :: energy, overlap, slope
-         real(dp) :: place(2), gap(2), way
+         real(dp) :: place(2), gap(2), way, of_line
 
          call end_beside(surface, axis, end, place, gap, way)
          if (gap(1) >= 0) return
@@ -126,12 +126,14 @@ contains
          if (.not. whole%work > 0) return
          overlap = variable(-gap(1), 1)
          slope = (1/way)*(overlap - variable(-gap(2), 2)) - constant(cell%ends(end)%bend*way/2)
-         energy = end_energy(cell%ends(end), composed(overlap, whole%work, whole%force, whole%stiffness), overlap, &
-            slope)
+         call end_energy(cell%ends(end), composed(overlap, whole%work, whole%force, whole%stiffness), overlap, slope, &
+            energy, of_line)
          if (.not. abs(energy%value) > 0) return
          points(n + 1:n + 2)%xi = place
          points(n + 1:n + 2)%gap = gap
          call fill_end(whole, energy, points(n + 1:n + 2))
+         ! that has grown with the lens
+         points(n + 1)%normal%energy = points(n + 1)%normal%energy - (cell%growth - 1)*of_line
          n = n + 2
       end subroutine add_end
 

@@ -20,7 +20,7 @@ module litz_surface_term
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
       contact_of_cell, centre_of_force
-   use litz_surface_ends, only: find_ends, update_ends, update_joints
+   use litz_surface_ends, only: find_ends, update_ends
    use litz_surface_findings, only: most_turn
    use litz_surface_flows, only: request_flow_slots, add_flows, link_flows, note_flows
    use litz_surface_forces, only: press_cell, energies_of_cell, cell_forces, predicted_force
@@ -87,8 +87,8 @@ contains
             end associate
             term%cells = [term%cells, (surface_cell_t(element=mine(i), pair=pair), i=1, size(mine))]
             do i = size(term%cells) - size(mine) + 1, size(term%cells)
-               call find_ends(domain%wires, domain%model%connectivity(:, term%cells(i)%element), last_pair > 0, &
-                  term%cells(i))
+               call find_ends(domain%wires, domain%elements%length, &
+                  domain%model%connectivity(:, term%cells(i)%element), last_pair > 0, term%cells(i))
             end do
          end do
       end associate
@@ -249,7 +249,6 @@ contains
             has_changed = has_changed .or. cell%overlap%n > 0
          end associate
       end do
-      call update_joints(domain, tolerance, self%cells, has_changed)
 
    contains
 

@@ -16,7 +16,7 @@ module litz_end_on_surface
    use litz_yielding_spot, only: yielding_t, yielding_crossing
    implicit none
    private
-   public :: rigid_end, yielding_end, wire_end_t, end_energy, share_of_end
+   public :: rigid_end, yielding_end, wire_end_t, end_energy
 
    !> Unit of length, in radii, of an overlap from the end of a wire on: up to two of them the end carries it, from six
    !> on the wire beside it; where it takes the place of the law per length, and where it is added to that
@@ -32,8 +32,8 @@ module litz_end_on_surface
       real(dp) :: radius = 1, bend = 0
       !> rho of the sphere, relative to the surface [m], and kappa of the cylinder, over 1/rho [-]
       real(dp) :: sphere = 1, cylinder = 0
-      !> Part of the sphere that this wire has of those which meet there, and how far the others leave it one [-]
-      real(dp) :: part = 1, others = 1
+      !> Part of the sphere that this wire has of those which meet there [-], and its length [m]
+      real(dp) :: part = 1, wire_length = huge(1.0_dp)
       !> eps_l [N/m^2], or 0
       real(dp) :: penalty = 0
       !> It has touched in a state in balance, and the metal does not yield: it takes the place of the law per length
@@ -88,48 +88,56 @@ contains
    !> Energy of an end beside the wire along which the surface lies: nothing of a long overlap; of a short one, where
    !> the wire is nearest to the surface at its end or beyond, or so near to it that the overlap is cut there, what the
    !> cylinder leaves (12.2a).
-   pure type(jet_t) function end_energy(end, whole, overlap, slope) result(energy)
+   pure subroutine end_energy(end, whole, overlap, slope, energy, of_line)
       type(wire_end_t), intent(in) :: end
       !> Energy of an end that nothing is beside, at this overlap [J]
       type(jet_t), intent(in) :: whole
       !> Overlap at the end, positive [m], and slope t of the distance from there on [-]
       type(jet_t), intent(in) :: overlap, slope
-      type(jet_t) :: square, length, share, below, v, steepness
+      !> [J]
+      type(jet_t), intent(out) :: energy
+      !> What of the law per length it takes the place of [J]
+      real(dp), intent(out) :: of_line
+      type(jet_t) :: square, length, share, inside, v, steepness, line, beside
       real(dp) :: w, dw
 
       energy = constant(0.0_dp)
+      of_line = 0
       square = slope*slope + 2*bend_away(end)*overlap
       if (.not. square%value > 0) return
       length = slope + square**0.5_dp
       associate (spacing => spacing_of_end(end))
          if (.not. length%value > overlap%value/(line_from*spacing)) return
-         length = 2.0_dp*overlap*length**(-1.0_dp)
+         length = 2.0_dp*overlap*length**(-1.0_dp)                                         ! L
          call share_of_point(length%value, spacing, w, dw)
          if (.not. w > 0) return
-         share = end%others*composed(length, w, dw, curvature_of_share(length%value, spacing))
+         share = composed(length, w, dw, curvature_of_share(length%value, spacing))
       end associate
-      below = energy_below((-1.0_dp)*slope*square**(-0.5_dp))                              ! E
-      energy = share*whole*(end%part - below)
-      if (.not. (end%replaces_line .and. slope%value > 0)) return
       v = sqrt(end%sphere)*slope*overlap**(-0.5_dp)
-      ! 1 - (1 - u^2)(1 - g)
+      inside = part_inside(v)
+      energy = share*whole*(end%part - inside)
+      if (.not. (end%replaces_line .and. slope%value > 0)) return
+      ! 1 - (1 - u^2)(1 - sigma)
       steepness = 1.0_dp - 2*bend_away(end)*overlap*square**(-1.0_dp)*(1.0_dp - smooth(v))
-      energy = energy + share*steepness*(whole*(below + cylinder_beside(end, v)) &
-         - energy_of_line(end, overlap, slope, length))
-   end function end_energy
+      beside = whole*cylinder_beside(end, v)
+      line = energy_of_line(end, overlap, slope, length)
+      if (length%value > end%wire_length) then
+         beside = beside*line**(-1.0_dp)
+         line = energy_of_line(end, overlap, slope, constant(end%wire_length))
+         beside = beside*line
+      end if
+      energy = energy + share*steepness*(whole*inside + beside - line)
+      of_line = share%value*steepness%value*line%value
+   end subroutine end_energy
 
-   !> w of an end at this overlap and slope: how far it is a sphere beside other wires that meet there.
-   pure real(dp) function share_of_end(end, overlap, slope) result(share)
-      type(wire_end_t), intent(in) :: end
-      !> [m], and t [-]
-      real(dp), intent(in) :: overlap, slope
-      real(dp) :: square, unused_slope
+   !> Part of the sphere's lens that is on the side of the cylinder, beyond where the sphere ends: `E(-v/sqrt(2))`.
+   pure type(jet_t) function part_inside(v) result(part)
+      !> `t sqrt(rho/delta)`
+      type(jet_t), intent(in) :: v
 
-      share = 0
-      square = slope**2 + 2*bend_away(end)*overlap
-      if (.not. (square > 0 .and. slope + sqrt(square) > overlap/(line_from*spacing_of_end(end)))) return
-      call share_of_point(2*overlap/(slope + sqrt(square)), spacing_of_end(end), share, unused_slope)
-   end function share_of_end
+      part = constant(merge(1.0_dp, 0.0_dp, v%value < 0))
+      if (abs(v%value) < sqrt(2.0_dp)) part = energy_below((-sqrt(0.5_dp))*v)
+   end function part_inside
 
    !> Unit of length of an overlap from the end on [m].
    pure real(dp) function spacing_of_end(end) result(spacing)
