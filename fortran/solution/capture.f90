@@ -42,6 +42,7 @@ contains
          loading%converged_value = loading%value
          loading%converged_ramp = loading%ramp
          loading%converged_time = loading%time
+         state%surface_radius = loading%surface_radius
       end associate
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%accept(problem%domain_t)
