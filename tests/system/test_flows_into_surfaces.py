@@ -1,8 +1,13 @@
 """Current and heat from wires into rigid surfaces: a wire that is earthed by a plate, or cooled by it."""
 
+import re
+
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
+from litz.pictures.charts import contact_heat
+from litz.reports.report_tables import balance
 from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import KEEP_ALL
 from test_heat_of_friction_on_surfaces import deck as rubbing_deck
@@ -187,6 +192,27 @@ def test_without_a_law_for_heat_the_wire_keeps_half_of_that_of_the_current(run):
     joule = results.surface_contacts["joule_heat"].sum()
     assert results.surface_contacts["heat"].sum() == pytest.approx(joule / 2, rel=1e-12)
     assert -results.field("reaction_heat")[0] == pytest.approx(joule / 2 + results.field("joule_heat").sum(), rel=1e-9)
+
+
+def test_the_heat_on_surfaces_is_in_all_that_tells_of_heat(run):
+    """The power of the current is the heat of summary, report, charts and slices; a wire has half of that on the plate."""
+    results = run(CURRENT, EARTHED)
+    power = -1e-3 * at_plate(results, "reaction_current")
+    wires, on_plate = results.field("joule_heat").sum(), results.surface_contacts["joule_heat"].sum()
+    assert wires + on_plate == pytest.approx(power, rel=1e-9)
+    assert re.search(r"Joule heat +(\S+)", results.summary()).group(1) == f"{power:.5g}"
+    assert f"on rigid surfaces {on_plate:.5g}" in results.summary()
+    assert "Joule heat on rigid surfaces" in balance(results)
+    table = results.wire_heat()
+    assert table["contacts"] == pytest.approx(on_plate / 2, rel=1e-12)
+    assert table["total"] == pytest.approx(wires + on_plate / 2, rel=1e-12)
+    slices = results.along_cable(count=7)
+    all_heat = slices["heat_on_surfaces_per_length"] + slices["wire_heat_per_length"]
+    assert all_heat.sum() * LENGTH / 7 == pytest.approx(power, rel=1e-9)
+    axes = Figure().add_subplot()
+    contact_heat(axes, results)
+    drawn = {line.get_label(): line.get_ydata()[-1] for line in axes.get_lines()}
+    assert drawn["on rigid surfaces"] / drawn["wires"] == pytest.approx(on_plate / wires, rel=1e-12)
 
 
 def test_heat_and_current_pass_while_all_motions_are_held(run):

@@ -147,7 +147,9 @@ def test_a_radius_stays_while_motions_are_held_and_catches_up_evenly(run, proced
 def test_a_steady_state_waits_for_the_radius_that_was_held(run):
     """END=SS ends a step once temperatures stay, but not before the wall is where its amplitude has it."""
     deck = conducting(straight(-BORE + RADIUS + 1e-6)) + jacket(BORE, (1, 1, 0.9995), laws=STIFF)
-    over_time = "*STEP, INC=100\n*COUPLED TEMPERATURE-DISPLACEMENT, END=SS, DELTMX=50\n 0.25, 1, , , 1\n" + "*END STEP\n"
+    over_time = (
+        "*STEP, INC=100\n*COUPLED TEMPERATURE-DISPLACEMENT, END=SS, DELTMX=50\n 0.25, 1, , , 1\n" + "*END STEP\n"
+    )
     held = "*BOUNDARY\n W, 3, 3, 0\n"
     process, results = run(deck + step(held) + held_step(HEAT_STEPS[0]) + over_time.replace("*END", held + "*END"))
     assert process.returncode == 0, process.stderr
