@@ -2,7 +2,7 @@
 !>
 !> The conductance per length of a place follows its force per length; what the end of a wire carries has none. The
 !> places move with the ends of the parts that touch, and the tangent is that of the sum over them: a conductance may
-!> begin there with a step, or grow steeply.
+!> begin there with a step, or grow steeply. A film takes its part of the heat between the nodes.
 !> Source: theory section 12.
 module litz_surface_flows
    use litz_axis, only: axis_shape, on_axis
@@ -29,6 +29,9 @@ module litz_surface_flows
    !> Of each node: potential and temperature
    integer, parameter :: both_slots(2) = [potential_slots(1), temperature_slots(2)]
 
+   !> Equations of the heat of the element in a cell
+   integer, parameter :: of_wire(2) = [2, 4]
+
    !> Places of a cell through which something flows: current, heat.
    type :: flow_places_t
       !> In the element (n), and conductances (n, 2) [S, W/K]
@@ -42,6 +45,8 @@ module litz_surface_flows
       real(dp) :: k(n_transfer, n_transfer) = 0, r(n_transfer) = 0, by_motion(n_transfer, 18) = 0
       !> Of the current through the contact [W], and its conductance [S]
       real(dp) :: joule_heat = 0, conductance = 0
+      !> That the contact gives to the wire, and what of it leaves by the film of the element between its nodes [W]
+      real(dp) :: heat = 0, through_film = 0
    end type cell_flows_t
 
 contains
@@ -164,7 +169,25 @@ contains
          + matmul(by_place, transpose(places%dxi))
       if (.not. domain%loading%solves(field_temperature)) call leave_out(flows, [2, 4, 6])
       if (.not. conducts(domain%model, cell%element, field_temperature)) call leave_out(flows, [2, 4])
+      flows%heat = -sum(flows%r(of_wire))
+      call exchange_with_film(domain, cell%element, flows)
    end function flows_of_cell
+
+   !> Under a film only a part of what enters an element comes to its nodes, as of what is made or stored there.
+   pure subroutine exchange_with_film(domain, element, flows)
+      type(domain_t), intent(in) :: domain
+      !> Index of the element
+      integer, intent(in) :: element
+      type(cell_flows_t), intent(inout) :: flows
+      real(dp) :: share, dshare
+
+      call domain%share_of_nodes(element, share, dshare)
+      flows%through_film = (1 - share)*flows%heat
+      flows%k(of_wire, :) = share*flows%k(of_wire, :)
+      flows%k(of_wire, of_wire) = flows%k(of_wire, of_wire) + dshare*spread(flows%r(of_wire), 2, 2)
+      flows%by_motion(of_wire, :) = share*flows%by_motion(of_wire, :)
+      flows%r(of_wire) = share*flows%r(of_wire)
+   end subroutine exchange_with_film
 
    !> Equations that do not exist.
    pure subroutine leave_out(flows, equations)
@@ -303,8 +326,11 @@ contains
       contact%current_of_nodes = flows%r([1, 3])
       contact%current = -flows%r(5)
       contact%joule_heat = flows%joule_heat
-      contact%heat = -sum(flows%r([2, 4]))
+      contact%heat = flows%heat
       contact%heat_of_surface = -flows%r(6)
+      associate (lost => domain%state%surface_heat(cell%element))
+         lost = lost + flows%through_film
+      end associate
       if (has_temperature(domain, cell)) return
       associate (outer => domain%state%outer_force(temperature_slots(1), surface_node(domain, cell)))
          outer = outer - contact%heat_of_surface

@@ -91,6 +91,7 @@ contains
          state%rotation = spread(identity3, 3, n)
          state%surface_radius = [(radius_at(problem%model, i, 0.0_dp), i=1, size(problem%model%surfaces))]
          problem%loading%surface_radius = state%surface_radius
+         allocate (problem%film(m), source=0.0_dp)
       end associate
    end subroutine start_state
 

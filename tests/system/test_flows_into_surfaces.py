@@ -176,6 +176,38 @@ def test_a_warm_wire_cools_on_a_plate_by_an_exponential(litz, tmp_path):
     np.testing.assert_allclose(along(results, "NT", 2), 20 + 100 * np.exp(-1), atol=0.01)
 
 
+#: On the side of the wire, from 20 on: an element of half the length passes as much through it as along the wire
+FILM = 1000
+COOLED = f"*FILM\nWIRE, F, 20, {FILM}\n"
+
+
+@pytest.mark.parametrize("elements", [1, 5, 20])
+def test_what_enters_evenly_gives_an_even_temperature_under_a_film_on_any_mesh(run, elements):
+    """Half of the heat of the current and what the warm plate gives leave through the film, at one temperature."""
+    values = "WIRE, 9, 9, 0.1\n99, 9\n99, 11, 11, 120\n"
+    results = run(CURRENT + HEAT, values, elements=elements, procedure=STEADY, keep=COOLED)
+    through_film = FILM * 2 * np.pi * RADIUS
+    rise = (G * 0.1**2 / 2 + H * 100) / (through_film + H)
+    assert along(results, "NT", elements) == pytest.approx(20 + rise, rel=1e-9)
+    assert results.field("surface_heat") == pytest.approx(through_film * rise * LENGTH / elements, rel=1e-9)
+    assert results.surface_contacts["heat"].sum() == pytest.approx(through_film * rise * LENGTH, rel=1e-9)
+
+
+def test_a_wire_between_a_film_and_a_plate_warms_by_an_exponential_on_any_mesh(litz, tmp_path):
+    """rho c A dT/dt = h' (T0 - T) - h P (T - T_s). Increments that are each exact to 1e-4 K."""
+    through_film = FILM * 2 * np.pi * RADIUS
+    time = 8960 * 385 * AREA / (H + through_film)
+    procedure = f"*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, ERROR=1e-4\n{time / 1000}, {time}"
+    storage = "*DENSITY\n8960\n*SPECIFIC HEAT\n385\n*BEAM SECTION"
+    reached = []
+    for elements in (1, 10):
+        text = deck(HEAT, "99, 11, 11, 120\n1, 9\n", elements=elements, procedure=procedure, keep=COOLED)
+        results = run_of_deck(litz, tmp_path, lambda text=text: text.replace("*BEAM SECTION", storage, 1))()
+        reached.append(along(results, "NT", elements))
+    np.testing.assert_allclose(reached[0], 20 + 100 * H / (H + through_film) * (1 - np.exp(-1)), atol=0.01)
+    np.testing.assert_allclose(reached[1], reached[0][0], rtol=1e-9)
+
+
 # Surfaces as conductors
 
 
