@@ -208,6 +208,34 @@ def test_a_wire_between_a_film_and_a_plate_warms_by_an_exponential_on_any_mesh(l
     np.testing.assert_allclose(reached[1], reached[0][0], rtol=1e-9)
 
 
+@pytest.mark.parametrize("strength", [0.1, 1, 10])
+def test_a_wire_that_swells_between_plates_presses_itself_cooler(litz, tmp_path, strength):
+    """It is held between a cold plate, whose conductance grows with the force, and a warm one: h'(f) dT = h' (100 - dT) with
+    f = f0 + k r alpha dT. What the swelling does to forces and conductances is in the tangent: increments are as large as
+    asked for, and Newton's method takes few iterations, however strongly the heat acts on itself."""
+    expansion, stiffness, overlap, slope = 1.7e-5, 1e9, 1e-8, strength * H / FORCE
+    table = f"*GAP CONDUCTANCE, LAW=TABLE, PER=LENGTH\n1, {slope}\n{10 * FORCE}, {slope * 10 * FORCE}\n"
+    above = (
+        f"*NODE\n98, 0, 0, 0.02\n*RIGID SURFACE, NAME=ABOVE, TYPE=PLANE, REF NODE=98\n0, 0, {2 * RADIUS - overlap}, 0, 0, -1\n"
+        "*SURFACE INTERACTION, NAME=UPPER\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e7, 1e9\n"
+        f"{HEAT}*CONTACT PAIR, INTERACTION=UPPER\nWIRE, ABOVE\n*INITIAL CONDITIONS"
+    )
+    swelling = f"*EXPANSION, ZERO=20\n{expansion}\n*BEAM SECTION"
+    values = "99, 11, 11, 20\n98, 11, 11, 120\n98, 1, 6\n1, 9\n"
+    text = deck(table, values, procedure=f"{STEADY}\n0.25, 1", press="WIRE, 3, 3, 0\n")
+    text = text.replace("*INITIAL CONDITIONS", above, 1).replace("*BEAM SECTION", swelling, 1)
+    text = text.replace("WIRE, 20\n", "WIRE, 20\n98, 20\n", 1).replace(
+        "\n0, 0, 0, 0, 0, 1\n", f"\n0, 0, {overlap}, 0, 0, 1\n"
+    )
+    results = run_of_deck(litz, tmp_path, lambda: text)()
+    quadratic = slope * stiffness * RADIUS * expansion
+    linear = slope * stiffness * overlap + H
+    rise = (-linear + np.sqrt(linear**2 + 4 * quadratic * H * 100)) / (2 * quadratic)
+    assert along(results, "NT", 20) == pytest.approx(20 + rise, rel=1e-9)
+    assert list(results.status["attempts"]) == [1, 1, 1, 1]
+    assert results.status["iterations"].max() <= 10
+
+
 # Surfaces as conductors
 
 
