@@ -102,6 +102,8 @@ module litz_surface_cells
       type(friction_law_t) :: friction
       type(friction_iteration_t) :: iteration
       real(dp) :: stick_stiffness = 0, traction(3) = 0
+      !> How the residual changes with the force by the limit of friction (18)
+      real(dp) :: friction_by_force(18) = 0
       !> Work of friction in this increment [J]
       real(dp) :: friction_work = 0
       !> Forces and moments on the surface about its centre, with friction (6) [N, N m]

@@ -102,15 +102,17 @@ contains
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes) at its start and at its end
       real(dp), intent(in) :: x_before(:, :), rotation_before(:, :, :), x(:, :), rotation(:, :, :)
       type(rigid_surface_t) :: before, now
-      real(dp) :: time(2)
+      real(dp) :: radii(size(domain%model%surfaces), 2)
       integer :: pair, i
 
-      time = domain%loading%converged_time + times*(domain%loading%time - domain%loading%converged_time)
+      associate (start => domain%state%surface_radius, last => domain%loading%surface_radius)
+         radii = spread(start, 2, 2) + spread(last - start, 2, 2)*spread(times, 1, size(start))
+      end associate
       do pair = 1, size(domain%model%surface_pairs)
          associate (this => domain%model%surface_pairs(pair))
             if (domain%model%surfaces(this%surface)%shape /= surface_cylinder) cycle
-            before = surface_moved_by(domain%model, pair, x_before, rotation_before, time(1))
-            now = surface_moved_by(domain%model, pair, x, rotation, time(2))
+            before = surface_moved_by(domain%model, pair, x_before, rotation_before, radii(:, 1))
+            now = surface_moved_by(domain%model, pair, x, rotation, radii(:, 2))
             do i = 1, size(domain%model%element_sets(this%set)%members)
                associate (element => domain%model%element_sets(this%set)%members(i))
                   if (.not. passed(before, axis_moved_by(domain, element, pair, x_before, rotation_before), now, &

@@ -2,7 +2,7 @@
 !>
 !> The conductance per length of a place follows its force per length; what the end of a wire carries has none. The
 !> places move with the ends of the parts that touch, and the tangent is that of the sum over them: a conductance may
-!> begin there with a step, or grow steeply.
+!> begin there with a step, or grow steeply. A film takes its part of the heat between the nodes.
 !> Source: theory section 12.
 module litz_surface_flows
    use litz_axis, only: axis_shape, on_axis
@@ -19,6 +19,7 @@ module litz_surface_flows
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    use litz_surface_overlap, only: gap_at, surface_overlap_t
    use litz_surface_poses, only: present_surface, element_axis, surface_node
+   use litz_surface_swelling, only: swelling_of
    use litz_surface_transfer, only: surface_transfer, n_transfer
    implicit none
    private
@@ -29,19 +30,27 @@ module litz_surface_flows
    !> Of each node: potential and temperature
    integer, parameter :: both_slots(2) = [potential_slots(1), temperature_slots(2)]
 
+   !> Equations of the heat of the element in a cell
+   integer, parameter :: of_wire(2) = [2, 4]
+
+   !> What moves places: the motions of the nodes, and the temperatures of the element, with which its radius grows
+   integer, parameter :: n_moves = 20
+
    !> Places of a cell through which something flows: current, heat.
    type :: flow_places_t
       !> In the element (n), and conductances (n, 2) [S, W/K]
       real(dp), allocatable :: xi(:), conductance(:, :)
-      !> How they change with the motions of the nodes (18, n), (18, n, 2)
+      !> How they change with what moves them (n_moves, n), (n_moves, n, 2)
       real(dp), allocatable :: dxi(:, :), dconductance(:, :, :)
    end type flow_places_t
 
    !> What flows through a cell, node by node: potential and temperature of both nodes and of the surface.
    type :: cell_flows_t
-      real(dp) :: k(n_transfer, n_transfer) = 0, r(n_transfer) = 0, by_motion(n_transfer, 18) = 0
+      real(dp) :: k(n_transfer, n_transfer) = 0, r(n_transfer) = 0, by_motion(n_transfer, n_moves) = 0
       !> Of the current through the contact [W], and its conductance [S]
       real(dp) :: joule_heat = 0, conductance = 0
+      !> That the contact gives to the wire, and what of it leaves by the film of the element between its nodes [W]
+      real(dp) :: heat = 0, through_film = 0
    end type cell_flows_t
 
 contains
@@ -102,7 +111,7 @@ contains
          flows(i) = flows_of_cell(domain, cells(list(i)))
          if (.not. has_temperature(domain, cells(list(i)))) call leave_out(flows(i), [6])
       end do
-      call add_rows(potential_slots, 1, 1)
+      call add_rows(potential_slots, 1, merge(2, 1, domain%coupled_step .and. domain%loading%solves(field_temperature)))
       if (domain%loading%solves(field_temperature)) call add_rows(temperature_slots, 2, 2)
 
    contains
@@ -119,7 +128,7 @@ contains
          do j = 1, size(flows)
             if (n_unknowns == 1) k(:, :, j) = flows(j)%k(first::2, 1::2)
             if (n_unknowns == 2) k(:, :, j) = flows(j)%k(first::2, :)
-            by_motion(:, :, j) = flows(j)%by_motion(first::2, :)
+            by_motion(:, :, j) = flows(j)%by_motion(first::2, :18)
             r(:, j) = flows(j)%r(first::2)
          end do
          call domain%add_cells(nodes, rows, merge(potential_slots, both_slots, n_unknowns == 1), k, r)
@@ -162,9 +171,28 @@ contains
       flows%by_motion = matmul(by_conductance(:, :, 1), transpose(places%dconductance(:, :, 1))) &
          + matmul(by_conductance(:, :, 2), transpose(places%dconductance(:, :, 2))) &
          + matmul(by_place, transpose(places%dxi))
+      flows%k(:, of_wire) = flows%k(:, of_wire) + flows%by_motion(:, 19:)
       if (.not. domain%loading%solves(field_temperature)) call leave_out(flows, [2, 4, 6])
       if (.not. conducts(domain%model, cell%element, field_temperature)) call leave_out(flows, [2, 4])
+      flows%heat = -sum(flows%r(of_wire))
+      call exchange_with_film(domain, cell%element, flows)
    end function flows_of_cell
+
+   !> Under a film only a part of what enters an element comes to its nodes, as of what is made or stored there.
+   pure subroutine exchange_with_film(domain, element, flows)
+      type(domain_t), intent(in) :: domain
+      !> Index of the element
+      integer, intent(in) :: element
+      type(cell_flows_t), intent(inout) :: flows
+      real(dp) :: share, dshare
+
+      call domain%share_of_nodes(element, share, dshare)
+      flows%through_film = (1 - share)*flows%heat
+      flows%k(of_wire, :) = share*flows%k(of_wire, :)
+      flows%k(of_wire, of_wire) = flows%k(of_wire, of_wire) + dshare*spread(flows%r(of_wire), 2, 2)
+      flows%by_motion(of_wire, :) = share*flows%by_motion(of_wire, :)
+      flows%r(of_wire) = share*flows%r(of_wire)
+   end subroutine exchange_with_film
 
    !> Equations that do not exist.
    pure subroutine leave_out(flows, equations)
@@ -183,14 +211,14 @@ contains
       type(surface_cell_t), intent(in) :: cell
       type(flow_places_t), intent(out) :: places
       type(spot_law_t) :: law
-      real(dp) :: dlength(18, size(cell%points)), doverlap(18, size(cell%points)), g(2)
+      real(dp) :: dlength(n_moves, size(cell%points)), doverlap(n_moves, size(cell%points)), g(2)
       integer :: i, kind
 
       associate (points => cell%points, interaction => domain%model%interactions( &
          domain%model%surface_pairs(cell%pair)%interaction))
          places%xi = points%xi
-         allocate (places%conductance(size(points), 2), places%dconductance(18, size(points), 2), source=0.0_dp)
-         allocate (places%dxi(18, size(points)))
+         allocate (places%conductance(size(points), 2), places%dconductance(n_moves, size(points), 2), source=0.0_dp)
+         allocate (places%dxi(n_moves, size(points)))
          call move_places(domain, cell, places%dxi, dlength, doverlap)
          do kind = 1, size(flowing)
             if (.not. carries(domain, cell, flowing(kind))) cycle
@@ -207,23 +235,25 @@ contains
       end associate
    end subroutine find_places
 
-   !> How places in parts that touch, the lengths for which they stand, and the overlaps there change with the motions.
+   !> How places in parts that touch, the lengths for which they stand, and the overlaps there change with what moves
+   !> them.
    !> The places of metal that remembers its dents stay where they are.
    pure subroutine move_places(domain, cell, dxi, dlength, doverlap)
       type(domain_t), intent(in) :: domain
       type(surface_cell_t), intent(in) :: cell
-      !> (18, n): place, change of length over the length, and overlap
+      !> (n_moves, n): place, change of length over the length, and overlap
       real(dp), intent(out) :: dxi(:, :), dlength(:, :), doverlap(:, :)
       type(rigid_surface_t) :: surface
       type(wire_axis_t) :: axis
-      real(dp) :: ends(18, 2, cell%overlap%n), part, gap, slope
+      real(dp) :: ends(n_moves, 2, cell%overlap%n), part, gap, slope, swelling(2)
       integer :: i, k
 
       surface = present_surface(domain, cell%pair)
       axis = element_axis(domain, cell%element, cell%pair)
+      swelling = swelling_of(domain, cell%element)
       do k = 1, cell%overlap%n
-         ends(:, 1, k) = change_of_end(surface, axis, cell%overlap, cell%overlap%first(k))
-         ends(:, 2, k) = change_of_end(surface, axis, cell%overlap, cell%overlap%last(k))
+         ends(:, 1, k) = change_of_end(surface, axis, swelling, cell%overlap, cell%overlap%first(k))
+         ends(:, 2, k) = change_of_end(surface, axis, swelling, cell%overlap, cell%overlap%last(k))
       end do
       dxi = 0
       dlength = 0
@@ -236,20 +266,22 @@ contains
                dlength(:, i) = (ends(:, 2, k) - ends(:, 1, k))/(last(k) - first(k))
             end if
             call gap_at(surface, axis%p, axis%radius, point%xi, gap, slope)
-            doverlap(:, i) = -point%row - slope*dxi(:, i)
+            doverlap(:, i) = [-point%row, swelling] - slope*dxi(:, i)
          end associate
       end do
    end subroutine move_places
 
    !> How an end of a part that touches moves: `dxi = -dg/(dg/dxi)`. The ends of the element stay, and so do places that
    !> divide what touches on both of their sides.
-   pure function change_of_end(surface, axis, overlap, xi) result(change)
+   pure function change_of_end(surface, axis, swelling, overlap, xi) result(change)
       type(rigid_surface_t), intent(in) :: surface
       type(wire_axis_t), intent(in) :: axis
+      !> Of the radius by the temperatures of the nodes (2) [m/K]
+      real(dp), intent(in) :: swelling(2)
       type(surface_overlap_t), intent(in) :: overlap
       !> The end
       real(dp), intent(in) :: xi
-      real(dp) :: change(18), weight(4), w1(4), w2(4), x(3), distance, normal(3), gap, slope
+      real(dp) :: change(n_moves), weight(4), w1(4), w2(4), x(3), distance, normal(3), gap, slope
 
       change = 0
       if (abs(xi) >= 1 .or. count(abs([overlap%first(:overlap%n), overlap%last(:overlap%n)] - xi) <= 0) > 1) return
@@ -258,7 +290,7 @@ contains
       call axis_shape(axis%interpolation, axis%length, xi, weight, w1, w2)
       x = on_axis(weight, axis%x, axis%t)
       call surface_distance(surface, x, distance, normal)
-      change = -distance_row(weight, axis%t, x - surface%centre, normal)/slope
+      change = [-distance_row(weight, axis%t, x - surface%centre, normal), swelling]/slope
    end function change_of_end
 
    !> Conductance per length at a force per length, and its derivative (2) [S/m], [S/N].
@@ -303,8 +335,11 @@ contains
       contact%current_of_nodes = flows%r([1, 3])
       contact%current = -flows%r(5)
       contact%joule_heat = flows%joule_heat
-      contact%heat = -sum(flows%r([2, 4]))
+      contact%heat = flows%heat
       contact%heat_of_surface = -flows%r(6)
+      associate (lost => domain%state%surface_heat(cell%element))
+         lost = lost + flows%through_film
+      end associate
       if (has_temperature(domain, cell)) return
       associate (outer => domain%state%outer_force(temperature_slots(1), surface_node(domain, cell)))
          outer = outer - contact%heat_of_surface

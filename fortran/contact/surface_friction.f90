@@ -158,6 +158,7 @@ contains
             cell%part*s%slip, iteration%status, iteration%mixed_traction)
          difference = work_of(s, matmul(s%along, supposed%traction - cell%friction%traction))
          r = r - work_of(s, cell%traction)
+         cell%friction_by_force = work_of(s, matmul(s%along, supposed%dtraction_dforce))
          call add_friction_tangent(s, cell%part, supposed, cell%friction%traction, force_row, k)
          iteration%trial = supposed%trial
          iteration%dtrial(:18, :) = cell%part*cell%stick_stiffness*transpose(s%row)

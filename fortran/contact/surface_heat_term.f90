@@ -8,7 +8,7 @@ module litz_surface_heat_term
    use litz_fields, only: field_temperature, temperature_slots
    use litz_kinds, only: dp
    use litz_model, only: step_t
-   use litz_rubbing, only: is_abrupt, add_friction_heat, power_of
+   use litz_rubbing, only: is_abrupt, power_of
    use litz_term, only: term_t
    implicit none
    private
@@ -17,8 +17,9 @@ module litz_surface_heat_term
    type, extends(term_t) :: surface_heat_term_t
       !> By which the work of an increment is a power [1/s]; 0: time is a scale of loads
       real(dp), private :: rate = 0
-      !> Into the elements (n_elements) [W]
-      real(dp), allocatable, private :: made(:)
+      !> Into the elements by their nodes (2, n_elements), and what of it their films take between these (n_elements)
+      !> [W]
+      real(dp), allocatable, private :: made(:, :), through_film(:)
       !> Into the reference nodes of surfaces (n_nodes) [W]
       real(dp), allocatable, private :: of_surfaces(:)
    contains
@@ -48,21 +49,45 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
-      self%made = spread(0.0_dp, 1, domain%model%n_elements)
+      self%made = reshape(spread(0.0_dp, 1, 2*domain%model%n_elements), [2, domain%model%n_elements])
+      self%through_film = spread(0.0_dp, 1, domain%model%n_elements)
       self%of_surfaces = spread(0.0_dp, 1, domain%model%n_nodes)
       if (.not. (self%rate > 0 .and. allocated(domain%surface_rubbing))) return
-      call add_friction_heat(domain%surface_rubbing, domain%model%connectivity, domain%heat_weights, 1/self%rate, &
-         domain%forces%internal(temperature_slots(1), :), self%made)
       do i = 1, size(domain%surface_rubbing)
-         associate (this => domain%surface_rubbing(i))
-            if (this%node > 0) self%of_surfaces(this%node) = self%of_surfaces(this%node) &
-               + this%share(2)*power_of(this, domain%heat_weights, 1/self%rate)
+         associate (this => domain%surface_rubbing(i), power => power_of(domain%surface_rubbing(i), &
+            domain%heat_weights, 1/self%rate))
+            associate (made => self%made(:, this%element(1)), xi => this%xi(1))
+               made = made + this%share(1)*power*[1 - xi, 1 + xi]/2
+            end associate
+            if (this%node > 0) self%of_surfaces(this%node) = self%of_surfaces(this%node) + this%share(2)*power
          end associate
+      end do
+      do i = 1, domain%model%n_elements
+         if (any(abs(self%made(:, i)) > 0)) call add_element(self, domain, i)
       end do
       associate (leaving => domain%forces%internal(temperature_slots(1), :))
          leaving = leaving - self%of_surfaces
       end associate
    end subroutine evaluate
+
+   !> What enters an element comes to its nodes, but for what its film takes between them.
+   subroutine add_element(self, domain, e)
+      class(surface_heat_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Index of the element
+      integer, intent(in) :: e
+      real(dp) :: share, dshare
+
+      call domain%share_of_nodes(e, share, dshare)
+      self%through_film(e) = (1 - share)*sum(self%made(:, e))
+      associate (nodes => domain%model%connectivity(:, e))
+         associate (leaving => domain%forces%internal(temperature_slots(1), :))
+            leaving(nodes) = leaving(nodes) - share*self%made(:, e)
+         end associate
+         if (abs(dshare) > 0) call domain%add_cells(reshape(nodes, [2, 1]), temperature_slots, temperature_slots, &
+            reshape(-dshare*spread(self%made(:, e), 2, 2), [2, 2, 1]))
+      end associate
+   end subroutine add_element
 
    !> The forces balance, so that friction is known: an increment in which it sets in or ends takes backward Euler.
    subroutine settle(self, domain, has_moved)
@@ -83,7 +108,8 @@ contains
       type(domain_t), intent(inout) :: domain
 
       if (.not. allocated(self%made)) return
-      domain%state%heat_made = domain%state%heat_made + self%made
+      domain%state%heat_made = domain%state%heat_made + sum(self%made, 1)
+      domain%state%surface_heat = domain%state%surface_heat + self%through_film
       associate (outer => domain%state%outer_force(temperature_slots(1), :))
          outer = outer + self%of_surfaces
       end associate

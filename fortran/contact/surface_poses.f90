@@ -4,7 +4,7 @@ module litz_surface_poses
    use litz_axis, only: axis_polynomial
    use litz_domain, only: domain_t
    use litz_fields, only: field_rotation, first_slot, last_slot
-   use litz_model, only: model_t, radius_at
+   use litz_model, only: model_t
    use litz_rigid_surface, only: rigid_surface_t, moved_surface, radial_motion
    use litz_surface_cells, only: surface_cell_t, wire_axis_t
    implicit none
@@ -20,7 +20,8 @@ contains
       !> Index of the pair
       integer, intent(in) :: pair
 
-      surface = surface_moved_by(domain%model, pair, domain%iterate%x, domain%iterate%rotation, domain%loading%time)
+      surface = surface_moved_by(domain%model, pair, domain%iterate%x, domain%iterate%rotation, &
+         domain%loading%surface_radius)
    end function present_surface
 
    !> The surface of a pair as it was when the increment began.
@@ -30,22 +31,21 @@ contains
       integer, intent(in) :: pair
 
       surface = surface_moved_by(domain%model, pair, domain%iterate%x_start, domain%state%rotation, &
-         domain%loading%converged_time)
+         domain%state%surface_radius)
    end function surface_at_start
 
-   !> The surface of a pair at given positions and rotations of the nodes.
-   pure type(rigid_surface_t) function surface_moved_by(model, pair, x, rotation, time) result(surface)
+   !> The surface of a pair at given positions and rotations of the nodes, and radii of the surfaces.
+   pure type(rigid_surface_t) function surface_moved_by(model, pair, x, rotation, radius) result(surface)
       type(model_t), intent(in) :: model
       !> Index of the pair
       integer, intent(in) :: pair
       !> Positions (3, n_nodes) [m] and rotations from the reference (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      !> Since the analysis began [s]
-      real(dp), intent(in) :: time
+      !> (n_surfaces) [m]
+      real(dp), intent(in) :: radius(:)
 
       associate (this => model%surfaces(model%surface_pairs(pair)%surface))
-         surface = rigid_surface_t(this%shape, this%point, this%direction, &
-            radius_at(model, model%surface_pairs(pair)%surface, time))
+         surface = rigid_surface_t(this%shape, this%point, this%direction, radius(model%surface_pairs(pair)%surface))
          if (this%node == 0) return
          surface%centre = model%x(:, this%node)
          surface = moved_surface(surface, rotation(:, :, this%node), x(:, this%node))

@@ -28,6 +28,7 @@ module litz_surface_term
    use litz_surface_memory, only: recall_memory, keep_memory
    use litz_surface_poses, only: present_surface, element_axis, surface_node, surface_turn, work_of_radii
    use litz_surface_rubbing, only: rubbing_turn, touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
+   use litz_surface_swelling, only: add_swelling
    use litz_term, only: term_t, status_t
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_update
@@ -294,30 +295,30 @@ contains
    end subroutine evaluate
 
    !> Add the forces of cells to the system.
-   subroutine add_closed(self, domain, cells, n_cell_nodes)
+   subroutine add_closed(self, domain, cells, n_of_cell)
       class(surface_term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain
       !> Their indices (n)
       integer, intent(in) :: cells(:)
       !> 2: of surfaces that are fixed in space, 3: of others
-      integer, intent(in) :: n_cell_nodes
+      integer, intent(in) :: n_of_cell
       real(dp) :: k(18, 18, size(cells)), r(18, size(cells))
-      integer :: nodes(n_cell_nodes, size(cells)), i, n
+      integer :: nodes(n_of_cell, size(cells)), i
 
       if (size(cells) == 0) return
-      n = 6*n_cell_nodes
       do i = 1, size(cells)
          associate (cell => self%cells(cells(i)))
             nodes(:2, i) = domain%model%connectivity(:, cell%element)
-            if (n_cell_nodes > 2) nodes(3, i) = surface_node(domain, cell)
+            if (n_of_cell > 2) nodes(3, i) = surface_node(domain, cell)
             call cell_forces(present_surface(domain, cell%pair), element_axis(domain, cell%element, cell%pair), cell, &
                k(:, :, i), r(:, i))
             call rub(domain, self%touched, cell, k(:, :, i), r(:, i))
             cell%on_surface = -r(13:18, i)
-            if (n_cell_nodes == 2) self%outer(:, nodes(:, i)) = self%outer(:, nodes(:, i)) - reshape(r(:12, i), [6, 2])
+            if (n_of_cell == 2) self%outer(:, nodes(:, i)) = self%outer(:, nodes(:, i)) - reshape(r(:12, i), [6, 2])
          end associate
       end do
-      call domain%add_cells(nodes, motion_slots, motion_slots, k(:n, :n, :), r(:n, :))
+      call domain%add_cells(nodes, motion_slots, motion_slots, k(:6*n_of_cell, :6*n_of_cell, :), r(:6*n_of_cell, :))
+      call add_swelling(domain, self%cells(cells), nodes)
    end subroutine add_closed
 
    subroutine count_status(self, status)

@@ -432,7 +432,8 @@ contains
          ' contacts act; its potential (9) and temperature (11) are those of the surface where current or heat'// &
          ' passes to it; without it the surface is fixed in space', ''))
       call k%add(name('RADIUS AMPLITUDE', '*AMPLITUDE with TIME=TOTAL TIME that multiplies the radius: a jacket'// &
-         ' that shrinks, a mandrel that grows; of a cylinder or a bore; without it the radius stays'))
+         ' that shrinks, a mandrel that grows; of a cylinder or a bore; without it the radius stays. Where a step'// &
+         ' holds motions it stays, too, and the next one that does not takes up the rest over its time'))
       place = [(real_field(axis_names(i), 'm', 'a point of the plane or of the axis'), i=1, 3)]
       direction = [(real_field('d'//axis_names(i), '-', 'normal of the plane, towards the wires; or direction of'// &
          ' the axis'), i=1, 3)]

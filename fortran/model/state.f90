@@ -163,6 +163,8 @@ module litz_state
       !> Active contacts
       type(contact_t), allocatable :: contacts(:)
       type(surface_contact_t), allocatable :: surface_contacts(:)
+      !> Radii of the rigid surfaces as wires meet them: where motions are held they stay (n_surfaces) [m]
+      real(dp), allocatable :: surface_radius(:)
       !> What elements on rigid surfaces remember of friction: numbers that litz_surface_term knows (numbers, cells)
       real(dp), allocatable :: surface_memory(:, :)
       !> What they remember of their dents, where some yield: numbers that litz_surface_dents knows (numbers, cells)

@@ -5,7 +5,7 @@
 module litz_wire_results
    use litz_kinds, only: dp, pi
    use litz_errors, only: error_t
-   use litz_model, only: model_t, section_t, named_set_t, n_nodes_of_deck, radius_course
+   use litz_model, only: model_t, section_t, named_set_t, n_nodes_of_deck, radius_at
    use litz_quantities, only: quantity_t, on_points, on_cells
    use litz_result_quantities, only: wire_quantity_t, choose_results, list_wire_quantities
    use litz_state, only: state_t
@@ -35,6 +35,8 @@ module litz_wire_results
       !> A row per written increment, in the order of `table_names`
       type(hdf5_rows_t), private :: tables(size(table_names))
       type(warning_rows_t), private :: warnings
+      !> The rigid surfaces
+      type(hdf5_rows_t), allocatable, private :: surfaces(:)
    contains
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
@@ -60,7 +62,7 @@ contains
       call write_outlines(self%litz_group, model, error)
       call write_sets(self%litz_group, 'node_sets', model%node_sets, model%node_id, error)
       call write_sets(self%litz_group, 'element_sets', model%element_sets, model%element_id, error)
-      call write_surfaces(self%litz_group, model, error)
+      call create_surfaces(self, model, error)
       call hdf5_flush(self%file, error)
    end subroutine wire_results_open
 
@@ -214,34 +216,47 @@ contains
       end do
    end subroutine write_outlines
 
-   !> The rigid surfaces by their names, where there are some: point, direction and radius before any deformation, with
-   !> shape and reference node; a row for each corner of the amplitude of the radius, and its total time.
-   subroutine write_surfaces(parent, model, error)
-      !> Identifier of the group that they are written into
-      integer(hid_t), intent(in) :: parent
+   !> The rigid surfaces by their names, where there are some: point, direction and radius before any deformation, total
+   !> time 0, with shape and reference node.
+   subroutine create_surfaces(self, model, error)
+      class(wire_results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       integer(hid_t) :: group
-      type(hdf5_rows_t) :: rows
-      real(dp), allocatable :: course(:, :)
-      integer :: i, k
+      integer :: i
 
+      if (allocated(self%surfaces)) deallocate (self%surfaces)
+      allocate (self%surfaces(0))
       if (.not. allocated(model%surfaces)) return
       if (size(model%surfaces) == 0) return
-      call hdf5_create_group(parent, 'rigid_surfaces', group, error)
+      call hdf5_create_group(self%litz_group, 'rigid_surfaces', group, error)
+      deallocate (self%surfaces)
+      allocate (self%surfaces(size(model%surfaces)))
       do i = 1, size(model%surfaces)
-         associate (this => model%surfaces(i))
+         associate (this => model%surfaces(i), rows => self%surfaces(i))
             call rows%create(group, link_name(this%name), 8, hdf5_real, 1, error)
-            course = radius_course(model, i)
-            do k = 1, size(course, 2)
-               call rows%append(reshape([this%point, this%direction, course(2, k), course(1, k)], [8, 1]), error)
-            end do
+            call append_surface(self, model, i, radius_at(model, i, 0.0_dp), 0.0_dp, error)
             call hdf5_write_attribute(rows%dataset, 'type', trim(surface_shapes(this%shape)), error)
             ! 0: it is fixed in space
             call hdf5_write_attribute(rows%dataset, 'reference_node', number_of_node(model, this%node), error)
          end associate
       end do
-   end subroutine write_surfaces
+   end subroutine create_surfaces
+
+   !> A row of a surface.
+   subroutine append_surface(self, model, i, radius, time, error)
+      class(wire_results_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      !> Index of the surface
+      integer, intent(in) :: i
+      !> Radius [m] at the total time [s]
+      real(dp), intent(in) :: radius, time
+      type(error_t), allocatable, intent(inout) :: error
+
+      associate (this => model%surfaces(i))
+         call self%surfaces(i)%append(reshape([this%point, this%direction, radius, time], [8, 1]), error)
+      end associate
+   end subroutine append_surface
 
    !> The user's number of a node; 0 for none.
    pure integer function number_of_node(model, node) result(number)
@@ -291,6 +306,10 @@ contains
          associate (last => merge(n, model%n_elements, list(i)%place == on_points))
             call self%write_field(list(i)%name, list(i)%values(:, :last), error)
          end associate
+      end do
+      do i = 1, size(self%surfaces)
+         if (model%surfaces(i)%radius_amplitude == 0 .or. .not. state%time > 0) cycle
+         call append_surface(self, model, i, state%surface_radius(i), state%time, error)
       end do
       call write_tables(self, state, error)
       call self%end_step(state%time, error)

@@ -281,6 +281,7 @@ contains
 
       rows = surface_contact_table(state%surface_contacts)
       call exchange_table(arrays, 'surface_contacts', rows, error)
+      call arrays%array('surface_radius', state%surface_radius, error)
       call arrays%array('surface_memory', state%surface_memory, error, n_remembered)
       call arrays%array('surface_dents', state%surface_dents, error, n_of_dents)
       if (allocated(error) .or. arrays%mode /= reading) return

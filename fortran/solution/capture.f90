@@ -38,10 +38,12 @@ contains
          state%load = loading%load
          state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
          state%outer_force = 0
+         state%surface_heat = 0
          state%line_load = 0
          loading%converged_value = loading%value
          loading%converged_ramp = loading%ramp
          loading%converged_time = loading%time
+         state%surface_radius = loading%surface_radius
       end associate
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%accept(problem%domain_t)

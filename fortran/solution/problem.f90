@@ -8,7 +8,7 @@ module litz_problem
    use litz_kinds, only: dp
    use litz_linear_constraints, only: new_linear_constraints
    use litz_loading, only: initial_values
-   use litz_model, only: model_t
+   use litz_model, only: model_t, radius_at
    use litz_result_quantities, only: choose_results
    use litz_rigid_bodies, only: new_rigid_bodies
    use litz_rotations, only: identity3
@@ -70,7 +70,7 @@ contains
    !> The undeformed model without voltages, at its initial temperatures.
    subroutine start_state(problem)
       type(problem_t), intent(inout) :: problem
-      integer :: n, m
+      integer :: n, m, i
 
       n = problem%model%n_nodes
       m = problem%model%n_elements
@@ -89,6 +89,9 @@ contains
          state%value = initial_values(problem%model)
          state%mechanical_temperature = state%value(temperature_slots(1), :)
          state%rotation = spread(identity3, 3, n)
+         state%surface_radius = [(radius_at(problem%model, i, 0.0_dp), i=1, size(problem%model%surfaces))]
+         problem%loading%surface_radius = state%surface_radius
+         allocate (problem%film(m), source=0.0_dp)
       end associate
    end subroutine start_state
 

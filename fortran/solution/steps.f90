@@ -11,7 +11,7 @@ module litz_steps
       slot_of_dof
    use litz_increment_warnings, only: add_increment_warnings
    use litz_kinds, only: dp
-   use litz_loading, only: loading_t, start_loading, load_targets, next_break_point
+   use litz_loading, only: loading_t, start_loading, load_targets, move_radii, next_break_point
    use litz_line_contact, only: serves_lines
    use litz_model, only: model_t, step_t, nodal_value_t, coupling_default, coupling_updated, coupling_swept, &
       coupling_full, ramp_at
@@ -59,6 +59,7 @@ contains
             restored%converged_time = state%time
             restored%solves = problem%loading%solves
             restored%stays = problem%loading%stays
+            restored%surface_radius = state%surface_radius
             problem%loading = restored
             state%ends_step = step_is_over(problem, step)
          else
@@ -220,6 +221,7 @@ contains
             increment = control%propose(step_time, break_point)
             target = step_time + increment
             call load_targets(problem%model, step, target, start_time + target, problem%loading)
+            call move_radii(problem%model, step, target, problem%state, problem%loading)
             do i = 1, size(problem%terms)
                call problem%terms(i)%term%apply_load(problem%domain_t, step, target, increment)
             end do

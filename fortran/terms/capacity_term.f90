@@ -4,15 +4,12 @@
 !> Backward Euler in the first increment of a step, before which loads and surroundings may have jumped, and BDF2 with
 !> increments of any size after it. Source: theory section 13.
 module litz_capacity_term
-   use litz_kinds, only: dp, pi
-   use litz_conductor_heat, only: heated_wire_t, nodal_share
+   use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, temperature_slots
    use litz_heat_capacity, only: latent_heat_t, heat_capacity, bdf2_weights, bdf2_error, euler_error
-   use litz_loading, only: heat_at
-   use litz_model, only: model_t, step_t, element_heat_t
-   use litz_property_table, only: property_at
+   use litz_model, only: model_t, step_t
    use litz_term, only: term_t
    use litz_text, only: to_text
    implicit none
@@ -43,8 +40,6 @@ module litz_capacity_term
       real(dp), allocatable :: at_start(:)
       !> What the elements take up, and what of it their films take between the nodes (n_elements) [W]
       real(dp), allocatable :: stored(:), between(:)
-      !> Heat that passes through the film per length and kelvin (n_elements) [W/(m K)]
-      real(dp), allocatable :: film(:)
    contains
       procedure :: apply_load
       procedure :: start
@@ -81,11 +76,8 @@ contains
       type(step_t), intent(in) :: step
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
-      type(element_heat_t) :: given(size(step%heat))
 
       self%is_at_work = step%transient
-      given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
-      self%film = given%film*2*pi*domain%model%sections(domain%model%element_section)%contact_radius
       self%increment = increment
       domain%heat_weights = [1, 0]
       associate (before => domain%state%time_increment)
@@ -140,7 +132,6 @@ contains
       integer, intent(in) :: e
       !> (2, 2) [W/K], (2) [W]
       real(dp), intent(out) :: k(2, 2), r(2)
-      type(heated_wire_t) :: wire
       real(dp) :: slope(2), share, dshare
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
@@ -150,14 +141,9 @@ contains
                state%temperature_before(node), domain%heat_weights, &
                material%density*section%area*domain%elements%length(e)/self%increment, material%specific_heat, &
                self%phases(section%material)%latent, slope, r)
-            wire%length = domain%conduction_length(e)
-            wire%area = section%area
-            wire%film = self%film(e)
-            call property_at(material%heat_conductivity, domain%mean_temperature(e), wire%conductivity, &
-               wire%dconductivity)
          end associate
       end associate
-      call nodal_share(wire, share, dshare)
+      call domain%share_of_nodes(e, share, dshare)
       self%stored(e) = sum(r)
       self%between(e) = -(1 - share)*sum(r)
       k = dshare*spread(r, 2, 2)

@@ -2,6 +2,7 @@
 module litz_domain
    use litz_kinds, only: dp
    use litz_conductor, only: conductor
+   use litz_conductor_heat, only: heated_wire_t, nodal_share
    use litz_constrained_cells, only: scatter_constrained
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
@@ -49,6 +50,8 @@ module litz_domain
       type(forces_t) :: forces
       !> Heat that enters each element evenly at this iterate, of currents and sources (n_elements) [W]
       real(dp), allocatable :: element_heat(:)
+      !> Films of the elements: heat per length and kelvin, at the end of the increment (n_elements) [W/(m K)]
+      real(dp), allocatable :: film(:)
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
       !> Euler, or BDF2
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
@@ -77,6 +80,7 @@ module litz_domain
       procedure :: mean_temperature
       procedure :: mechanical_temperature
       procedure :: resistivity
+      procedure :: share_of_nodes
       procedure :: note_metal
       procedure :: flow_in
       procedure :: find_superconducting_flows
@@ -133,6 +137,31 @@ contains
             self%loading%solves(field_displacement))
       end associate
    end function mechanical_temperature
+
+   !> The part of heat that enters an element evenly which comes to its nodes: its film takes the rest between them.
+   pure subroutine share_of_nodes(self, element, share, dshare)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+      !> The part, and its derivative by the temperature of either node [1/K]
+      real(dp), intent(out) :: share, dshare
+      type(heated_wire_t) :: wire
+
+      share = 1
+      dshare = 0
+      if (.not. self%film(element) > 0) return
+      associate (section => self%model%sections(self%model%element_section(element)))
+         associate (material => self%model%materials(section%material))
+            if (.not. allocated(material%heat_conductivity)) return
+            wire%length = self%conduction_length(element)
+            wire%area = section%area
+            wire%film = self%film(element)
+            call property_at(material%heat_conductivity, self%mean_temperature(element), wire%conductivity, &
+               wire%dconductivity)
+         end associate
+      end associate
+      call nodal_share(wire, share, dshare)
+   end subroutine share_of_nodes
 
    !> Of a conducting element at its mean temperature.
    pure subroutine resistivity(self, element, rho, drho)

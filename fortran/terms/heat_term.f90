@@ -78,6 +78,7 @@ contains
       real(dp), intent(in) :: step_time, increment
 
       self%given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
+      domain%film = self%given%film*2*pi*domain%model%sections(domain%model%element_section)%contact_radius
    end subroutine apply_load
 
    !> What a film cools has a temperature.
@@ -157,7 +158,7 @@ contains
                   wire%dconductivity)
                wire%heat_fraction = material%joule_fraction
                wire%source = self%given(e)%source*section%area*wire%length
-               wire%film = self%given(e)%film*2*pi*section%contact_radius
+               wire%film = domain%film(e)
                wire%sink = self%given(e)%sink
             end associate
          end associate
@@ -247,12 +248,11 @@ contains
       if (.not. domain%loading%solves(field_temperature)) then
          domain%state%heat_flux = 0
          domain%state%heat_made = 0
-         domain%state%surface_heat = 0
          return
       end if
       domain%state%heat_flux = self%flow/domain%model%sections(domain%model%element_section)%area
       domain%state%heat_made = self%made
-      domain%state%surface_heat = self%through_film
+      domain%state%surface_heat = domain%state%surface_heat + self%through_film
    end subroutine accept
 
 end module litz_heat_term

@@ -6,16 +6,16 @@
 !> earlier step has solved for stays) or is set free (prescribed values). Source: Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
-   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_rotation, field_of_dof, &
-      field_of_slot, group_mechanical, slot_of_dof
+   use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, &
+      field_of_dof, field_of_slot, group_mechanical, slot_of_dof
    use litz_element_loads, only: element_load_t
-   use litz_model, only: model_t, step_t, nodal_value_t, element_heat_t, factor_at, ramp_at
+   use litz_model, only: model_t, step_t, nodal_value_t, element_heat_t, factor_at, radius_at, ramp_at
    use litz_rotations, only: rotation_exp, nearest_rotation_vector
    use litz_state, only: state_t
    implicit none
    private
    public :: loading_t, start_loading, load_targets, prescribed_increment, next_break_point, initial_values, heat_at, &
-      element_loads_at, amplitudes_are_over
+      element_loads_at, amplitudes_are_over, move_radii
 
    type :: loading_t
       !> Fields that the step solves for (n_fields)
@@ -39,6 +39,8 @@ module litz_loading
       real(dp) :: ramp = 0, converged_ramp = 0
       !> Time since the analysis began: the time last asked for, and that of the last converged increment [s]
       real(dp) :: time = 0, converged_time = 0
+      !> Radii of the rigid surfaces at the time last asked for (n_surfaces) [m]
+      real(dp), allocatable :: surface_radius(:)
    contains
       procedure :: lag_left
    end type loading_t
@@ -156,6 +158,27 @@ contains
       end subroutine set_load
 
    end subroutine load_targets
+
+   !> Radii of the rigid surfaces at the time of the loading. They stay where the step does not solve for motions; what
+   !> amplitudes have done meanwhile is taken up evenly over the next step that does.
+   pure subroutine move_radii(model, step, step_time, state, loading)
+      type(model_t), intent(in) :: model
+      type(step_t), intent(in) :: step
+      !> Since the step began [s]
+      real(dp), intent(in) :: step_time
+      type(state_t), intent(in) :: state
+      type(loading_t), intent(inout) :: loading
+      real(dp) :: left                                                    ! of the lag when the increment began
+      integer :: i
+
+      loading%surface_radius = state%surface_radius
+      if (.not. step%solves(field_displacement)) return
+      left = max(0.0_dp, (step%total - step_time)/(step%total - state%step_time))
+      do i = 1, size(loading%surface_radius)
+         loading%surface_radius(i) = radius_at(model, i, loading%time) &
+            + left*(state%surface_radius(i) - radius_at(model, i, state%time))
+      end do
+   end subroutine move_radii
 
    !> How much of what strains lag behind the temperatures at the start of the increment is left at its end: where
    !> temperatures have changed while motions were held, wires take them up over the next step that moves them.
@@ -330,7 +353,7 @@ contains
       call mark(step%boundary)
       call mark(step%load)
       call mark(step%predefined)
-      call mark_amplitudes(model%surfaces%radius_amplitude)
+      if (step%solves(field_displacement)) call mark_amplitudes(model%surfaces%radius_amplitude)
       associate (heat => step%heat)
          call mark_amplitudes([heat%source_amplitude, heat%film_amplitude, heat%sink_amplitude, &
             heat%surroundings_amplitude])

@@ -1,8 +1,13 @@
 """Current and heat from wires into rigid surfaces: a wire that is earthed by a plate, or cooled by it."""
 
+import re
+
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
+from litz.pictures.charts import contact_heat
+from litz.reports.report_tables import balance
 from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import KEEP_ALL
 from test_heat_of_friction_on_surfaces import deck as rubbing_deck
@@ -171,6 +176,66 @@ def test_a_warm_wire_cools_on_a_plate_by_an_exponential(litz, tmp_path):
     np.testing.assert_allclose(along(results, "NT", 2), 20 + 100 * np.exp(-1), atol=0.01)
 
 
+#: On the side of the wire, from 20 on: an element of half the length passes as much through it as along the wire
+FILM = 1000
+COOLED = f"*FILM\nWIRE, F, 20, {FILM}\n"
+
+
+@pytest.mark.parametrize("elements", [1, 5, 20])
+def test_what_enters_evenly_gives_an_even_temperature_under_a_film_on_any_mesh(run, elements):
+    """Half of the heat of the current and what the warm plate gives leave through the film, at one temperature."""
+    values = "WIRE, 9, 9, 0.1\n99, 9\n99, 11, 11, 120\n"
+    results = run(CURRENT + HEAT, values, elements=elements, procedure=STEADY, keep=COOLED)
+    through_film = FILM * 2 * np.pi * RADIUS
+    rise = (G * 0.1**2 / 2 + H * 100) / (through_film + H)
+    assert along(results, "NT", elements) == pytest.approx(20 + rise, rel=1e-9)
+    assert results.field("surface_heat") == pytest.approx(through_film * rise * LENGTH / elements, rel=1e-9)
+    assert results.surface_contacts["heat"].sum() == pytest.approx(through_film * rise * LENGTH, rel=1e-9)
+
+
+def test_a_wire_between_a_film_and_a_plate_warms_by_an_exponential_on_any_mesh(litz, tmp_path):
+    """rho c A dT/dt = h' (T0 - T) - h P (T - T_s). Increments that are each exact to 1e-4 K."""
+    through_film = FILM * 2 * np.pi * RADIUS
+    time = 8960 * 385 * AREA / (H + through_film)
+    procedure = f"*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, ERROR=1e-4\n{time / 1000}, {time}"
+    storage = "*DENSITY\n8960\n*SPECIFIC HEAT\n385\n*BEAM SECTION"
+    reached = []
+    for elements in (1, 10):
+        text = deck(HEAT, "99, 11, 11, 120\n1, 9\n", elements=elements, procedure=procedure, keep=COOLED)
+        results = run_of_deck(litz, tmp_path, lambda text=text: text.replace("*BEAM SECTION", storage, 1))()
+        reached.append(along(results, "NT", elements))
+    np.testing.assert_allclose(reached[0], 20 + 100 * H / (H + through_film) * (1 - np.exp(-1)), atol=0.01)
+    np.testing.assert_allclose(reached[1], reached[0][0], rtol=1e-9)
+
+
+@pytest.mark.parametrize("strength", [0.1, 1, 10])
+def test_a_wire_that_swells_between_plates_presses_itself_cooler(litz, tmp_path, strength):
+    """It is held between a cold plate, whose conductance grows with the force, and a warm one: h'(f) dT = h' (100 - dT) with
+    f = f0 + k r alpha dT. What the swelling does to forces and conductances is in the tangent: increments are as large as
+    asked for, and Newton's method takes few iterations, however strongly the heat acts on itself."""
+    expansion, stiffness, overlap, slope = 1.7e-5, 1e9, 1e-8, strength * H / FORCE
+    table = f"*GAP CONDUCTANCE, LAW=TABLE, PER=LENGTH\n1, {slope}\n{10 * FORCE}, {slope * 10 * FORCE}\n"
+    above = (
+        f"*NODE\n98, 0, 0, 0.02\n*RIGID SURFACE, NAME=ABOVE, TYPE=PLANE, REF NODE=98\n0, 0, {2 * RADIUS - overlap}, 0, 0, -1\n"
+        "*SURFACE INTERACTION, NAME=UPPER\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e7, 1e9\n"
+        f"{HEAT}*CONTACT PAIR, INTERACTION=UPPER\nWIRE, ABOVE\n*INITIAL CONDITIONS"
+    )
+    swelling = f"*EXPANSION, ZERO=20\n{expansion}\n*BEAM SECTION"
+    values = "99, 11, 11, 20\n98, 11, 11, 120\n98, 1, 6\n1, 9\n"
+    text = deck(table, values, procedure=f"{STEADY}\n0.25, 1", press="WIRE, 3, 3, 0\n")
+    text = text.replace("*INITIAL CONDITIONS", above, 1).replace("*BEAM SECTION", swelling, 1)
+    text = text.replace("WIRE, 20\n", "WIRE, 20\n98, 20\n", 1).replace(
+        "\n0, 0, 0, 0, 0, 1\n", f"\n0, 0, {overlap}, 0, 0, 1\n"
+    )
+    results = run_of_deck(litz, tmp_path, lambda: text)()
+    quadratic = slope * stiffness * RADIUS * expansion
+    linear = slope * stiffness * overlap + H
+    rise = (-linear + np.sqrt(linear**2 + 4 * quadratic * H * 100)) / (2 * quadratic)
+    assert along(results, "NT", 20) == pytest.approx(20 + rise, rel=1e-9)
+    assert list(results.status["attempts"]) == [1, 1, 1, 1]
+    assert results.status["iterations"].max() <= 10
+
+
 # Surfaces as conductors
 
 
@@ -187,6 +252,27 @@ def test_without_a_law_for_heat_the_wire_keeps_half_of_that_of_the_current(run):
     joule = results.surface_contacts["joule_heat"].sum()
     assert results.surface_contacts["heat"].sum() == pytest.approx(joule / 2, rel=1e-12)
     assert -results.field("reaction_heat")[0] == pytest.approx(joule / 2 + results.field("joule_heat").sum(), rel=1e-9)
+
+
+def test_the_heat_on_surfaces_is_in_all_that_tells_of_heat(run):
+    """The power of the current is the heat of summary, report, charts and slices; a wire has half of that on the plate."""
+    results = run(CURRENT, EARTHED)
+    power = -1e-3 * at_plate(results, "reaction_current")
+    wires, on_plate = results.field("joule_heat").sum(), results.surface_contacts["joule_heat"].sum()
+    assert wires + on_plate == pytest.approx(power, rel=1e-9)
+    assert re.search(r"Joule heat +(\S+)", results.summary()).group(1) == f"{power:.5g}"
+    assert f"on rigid surfaces {on_plate:.5g}" in results.summary()
+    assert "Joule heat on rigid surfaces" in balance(results)
+    table = results.wire_heat()
+    assert table["contacts"] == pytest.approx(on_plate / 2, rel=1e-12)
+    assert table["total"] == pytest.approx(wires + on_plate / 2, rel=1e-12)
+    slices = results.along_cable(count=7)
+    all_heat = slices["heat_on_surfaces_per_length"] + slices["wire_heat_per_length"]
+    assert all_heat.sum() * LENGTH / 7 == pytest.approx(power, rel=1e-9)
+    axes = Figure().add_subplot()
+    contact_heat(axes, results)
+    drawn = {line.get_label(): line.get_ydata()[-1] for line in axes.get_lines()}
+    assert drawn["on rigid surfaces"] / drawn["wires"] == pytest.approx(on_plate / wires, rel=1e-12)
 
 
 def test_heat_and_current_pass_while_all_motions_are_held(run):

@@ -87,6 +87,19 @@ def test_the_wire_keeps_half_of_the_work(run, motion, increments):
     assert np.ptp(results.field("temperature")) < 1e-3 * (results.field("temperature").max() - ROOM)
 
 
+def test_a_wire_that_rubs_evenly_under_a_film_is_as_warm_on_any_mesh(run):
+    """Friction, storage and film are even along it: nothing is left for a mesh to tell."""
+    film = f"*FILM\nWIRE, F, {ROOM}, 1e4\n"
+    ends = []
+    for elements in (1, 4, 16):
+        results = run("0.05, 0.4", "to and fro", elements=elements, step=film)
+        temperature = results.field("temperature")
+        assert temperature == pytest.approx(temperature[0], abs=1e-9)
+        ends.append(temperature[0])
+    assert ends[0] > ROOM + 1e-3
+    assert ends[1:] == pytest.approx([ends[0]] * 2, abs=1e-9)
+
+
 def test_its_part_is_data(run):
     results = run("0.05, 0.4", "to and fro", law="*GAP HEAT GENERATION\n0.8, 0.7\n")
     assert heat_in_wires(results) == pytest.approx(0.8 * 0.7 * results.history["ALLFD"][-1], rel=1e-9)

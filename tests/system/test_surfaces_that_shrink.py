@@ -5,7 +5,7 @@ import pytest
 
 import litz
 from test_restart import KEEP_ALL, assert_goes_on_from_everywhere
-from test_rigid_surfaces import HERTZ, STIFF, along_x, step, surface, wire
+from test_rigid_surfaces import ELASTIC, HERTZ, STIFF, along_x, step, surface, wire
 
 RADIUS, BORE = 5e-4, 2e-3
 FRICTION = "*FRICTION\n 0.4\n"
@@ -105,6 +105,62 @@ def test_a_run_goes_on_with_the_same_radii_only(litz, tmp_path, other):
     done = litz("run", "other.inp", "-o", "other", "--restart", "kept/deck.restart.h5:1:1", cwd=tmp_path)
     assert done.returncode == 1
     assert "the deck differs from that of the run that wrote it" in done.stderr
+
+
+def conducting(deck):
+    """Of a material that has temperatures over time."""
+    laws = "*CONDUCTIVITY\n 400\n*DENSITY\n 8900\n*SPECIFIC HEAT\n 385\n"
+    return deck.replace(ELASTIC, ELASTIC + laws)
+
+
+def held_step(procedure, words=""):
+    """Temperatures alone, from 1 to 2 s; the wire is warmed."""
+    return f"*STEP\n{procedure}\n 0.25, 1\n*BOUNDARY\n W, 11, 11, 10\n{words}*END STEP\n"
+
+
+HEAT_STEPS = ["*COUPLED THERMAL-ELECTRICAL, STEADY STATE", "*COUPLED THERMAL-ELECTRICAL"]
+
+
+@pytest.mark.parametrize("procedure", HEAT_STEPS)
+@pytest.mark.parametrize("factor", [0.9995, 1.0005])
+def test_a_radius_stays_while_motions_are_held_and_catches_up_evenly(run, procedure, factor):
+    """A free wire on the bottom of a bore carries its load whatever the amplitude does in a step of temperatures; in the
+    next one that moves wires the wall comes to where the amplitude has it, and the wire goes with it."""
+    deck = conducting(straight(-BORE + RADIUS - 1e-8)) + jacket(BORE, (1, 1, factor, factor), laws=STIFF)
+    load = "*CLOAD\n W, 3, -2\n"
+    process, results = run(deck + step(load, "1, 1") + held_step(procedure) + step(load))
+    assert process.returncode == 0, process.stderr
+    loaded, last = np.searchsorted(results.times, [1, 2])
+    at_once = results.surface_contacts_at(loaded)["force"]
+    for increment in range(loaded, last + 1):
+        assert results.surface_contacts_at(increment)["force"] == pytest.approx(at_once, rel=1e-12)
+        assert results.rigid_surfaces["S"].radius_at(results, increment) == BORE
+    part = results.times[last:] - 2
+    rows = range(last, len(results.times))
+    reached = [results.rigid_surfaces["S"].radius_at(results, i) / BORE for i in rows]
+    assert reached == pytest.approx(1 + part * (factor - 1), rel=1e-12)
+    heights = np.array([results.field("displacement", i)[:, 2].mean() for i in rows])
+    assert heights - heights[0] == pytest.approx(part * (1 - factor) * BORE, rel=1e-4, abs=1e-12)
+    assert total_force(results) == pytest.approx(10, rel=1e-6)
+
+
+def test_a_steady_state_waits_for_the_radius_that_was_held(run):
+    """END=SS ends a step once temperatures stay, but not before the wall is where its amplitude has it."""
+    deck = conducting(straight(-BORE + RADIUS + 1e-6)) + jacket(BORE, (1, 1, 0.9995), laws=STIFF)
+    over_time = (
+        "*STEP, INC=100\n*COUPLED TEMPERATURE-DISPLACEMENT, END=SS, DELTMX=50\n 0.25, 1, , , 1\n" + "*END STEP\n"
+    )
+    held = "*BOUNDARY\n W, 3, 3, 0\n"
+    process, results = run(deck + step(held) + held_step(HEAT_STEPS[0]) + over_time.replace("*END", held + "*END"))
+    assert process.returncode == 0, process.stderr
+    assert results.times[-1] == pytest.approx(3)
+    assert results.rigid_surfaces["S"].radius_at(results) == pytest.approx(0.9995 * BORE, rel=1e-12)
+
+
+def test_a_run_goes_on_where_a_radius_is_held(litz, tmp_path):
+    deck = conducting(straight(BORE - RADIUS)) + jacket(BORE, (1, 0.9995, 0.999, 0.999), laws=HERTZ + FRICTION)
+    pressed = step(f"*BOUNDARY\n W, 3, 3, 0\n{KEEP_ALL}")
+    assert_goes_on_from_everywhere(litz, tmp_path, deck + pressed + held_step(HEAT_STEPS[1], KEEP_ALL) + pressed)
 
 
 def test_wires_fill_a_jacket_that_is_shrunk_to_a_void_fraction(tmp_path):

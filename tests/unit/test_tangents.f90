@@ -590,6 +590,11 @@ contains
       call check_coupled('coupled, heat alone', 'B33', hertz//'*GAP CONDUCTANCE, LAW=CONDUCTIVITY'//nl, exact)
       call check_coupled('coupled, friction that slips', 'B33', hertz//spot//'*FRICTION'//nl//'1e-4'//nl, exact)
       call check_shared('coupled, contacts on one element', spot)
+      ! the arms of friction, which grow with the radius, are left out: a thermal strain of 1e-5 of its moments
+      call check_coupled('coupled, a plane with friction that sticks', 'B33', surfaces('PLANE', &
+         '0, 0, -1.02e-3, 2e-4, -0.005, 1', '0.8'), 1.0e-5_dp)
+      call check_coupled('coupled, a drum with friction that slips', 'B33', surfaces('CYLINDER', &
+         '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '1e-3'), exact)
       elasticity = '1.2e11, 0.3, 200'//nl//'0.8e11, 0.35, 600'//nl
       call check_coupled('coupled, softening', 'B33', hertz//spot, exact)
       call check_coupled('coupled, softening, B31', 'B31', penalty//spot, exact)
@@ -786,7 +791,9 @@ contains
       character(len=*), parameter :: place(3) = [character(len=48) :: '0, 0, -1.02e-3, 2e-4, -0.005, 1', &
          '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '0, 0, 8.93e-3, 1, 0.02, 0, 10e-3']
       character(len=*), parameter :: stiff = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7, 1e10'//nl
-      character(len=*), parameter :: warm = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'11, 11, 11, 303'//nl
+      ! a film whose exchange with what enters depends on the conductivity
+      character(len=*), parameter :: warm = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'11, 11, 11, 303'//nl// &
+         '*FILM'//nl//'A, F, 290, 2e4'//nl
       type(problem_t) :: problem
       character(len=:), allocatable :: current, heat_words
       integer :: i, trial
@@ -796,7 +803,7 @@ contains
       do i = 1, size(shape)
          call check_terms('current into a surface, '//electric_law//', '//trim(shape(i)), 'B33', 'B33', &
             surfaces(trim(shape(i)), trim(place(i)), law=stiff//current), '', '', exact, 0.1_dp)
-         expansion = '*CONDUCTIVITY'//nl//'400'//nl
+         expansion = '*CONDUCTIVITY'//nl//'400, 290'//nl//'250, 320'//nl//'*EXPANSION'//nl//'17e-6'//nl
          call solve_first_step(coupled(deck_of('B33', 'B33', surfaces(trim(shape(i)), trim(place(i)), &
             law=stiff//current//heat_words), '', warm, '*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl// &
             '1, 300'//nl)), problem)

@@ -12,6 +12,7 @@ from ..base.quantities import engineering, label, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
+from ..results.surface_forces import joule_heat_on_surfaces
 from .chart_tools import (
     equal_curves,
     equal_over_places,
@@ -318,15 +319,19 @@ def contact_number(axes: Axes, results: Results) -> None:
 
 
 def contact_heat(axes: Axes, results: Results) -> None:
-    """Heat of all contacts, and that of the wires, over time."""
+    """Heat of all contacts, on rigid surfaces, and that of the wires, over time."""
     axes.set_title("Joule heat")
-    times, spots = _per_increment(results, results.contacts["joule_heat"])
+    times, spots = _per_increment(results, results.contacts, results.contacts["joule_heat"])
+    touching = results.surface_contacts
+    _, on_surfaces = _per_increment(results, touching, joule_heat_on_surfaces(touching))
     wires = results.field("joule_heat", None).sum(axis=1)
-    if not (spots.any() or wires.any()):
+    if not (spots.any() or on_surfaces.any() or wires.any()):
         nothing_to_draw(axes, "No current flows")
         return
-    factor, unit = engineering(np.concatenate([spots, wires]), results.unit_labels["W"])
+    factor, unit = engineering(np.concatenate([spots, on_surfaces, wires]), results.unit_labels["W"])
     axes.plot(times, factor * spots, **marker(len(times)), color=colour_of(1, 3), label="contacts")
+    if on_surfaces.any():
+        axes.plot(times, factor * on_surfaces, **marker(len(times)), color=colour_of(2, 3), label="on rigid surfaces")
     axes.plot(results.times, factor * wires, **marker(len(times)), color=colour_of(0, 3), label="wires")
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("heat", unit))
@@ -347,7 +352,9 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
     if len(ids) <= MAX_LINES:
         times = results.times
         # an open contact is not in the ledger: its force is zero
-        forces = [_per_increment(results, np.where(ledger["id"] == one, ledger["force"], 0.0))[1] for one in ids]
+        forces = [
+            _per_increment(results, ledger, np.where(ledger["id"] == one, ledger["force"], 0.0))[1] for one in ids
+        ]
         groups = equal_curves(forces)
         for i, group in enumerate(groups):
             text = name_of_group([f"contact {ids[one]}" for one in group], "contact")
@@ -453,14 +460,15 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
         legend_beside(axes)
 
 
-def _per_increment(results: Results, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _per_increment(results: Results, ledger: Table, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Times of the increments, and the sum of a quantity over the contacts at each."""
-    ledger, times = results.contacts, results.times
+    if not ledger.n_rows:
+        return results.times, np.zeros(len(results.times))
     sums = [
         values[(ledger["step"] == s) & (ledger["increment"] == i)].sum()
         for s, i in zip(results.steps, results.increments, strict=True)
     ]
-    return times, np.array(sums)
+    return results.times, np.array(sums)
 
 
 def colour_of(i: int, n: int) -> Colour:

@@ -10,6 +10,7 @@ from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import crossings_by_themselves
 from ..results.contact_pressures import onsets_in_words, wires_yield
+from ..results.surface_forces import joule_heat_on_surfaces
 from ..wires.curves import arc_lengths
 
 _MAX_CONTACTS = 8
@@ -114,6 +115,9 @@ def _power(results: Results) -> str:
         ("Joule heat of the wires", amount(wires, unit["W"])),
         ("Joule heat of the contacts", amount(contacts, unit["W"])),
     ]
+    on_surfaces = joule_heat_on_surfaces(results.surface_contacts_at(-1)).sum()
+    if on_surfaces:
+        rows.append(("Joule heat on rigid surfaces", amount(on_surfaces, unit["W"])))
     return table(("current and power at the last increment", ""), rows)
 
 

@@ -15,6 +15,7 @@ from ..base.table import Table
 from .contact_places import rows_of
 from .result_file import ResultFile
 from .scalars import scalar_values, scalars
+from .surface_forces import joule_heat_on_surfaces
 
 # Wires whose ends are this near to each other, as part of their length, lead nowhere
 _NO_DIRECTION = 1e-3
@@ -145,7 +146,7 @@ def current_shares(results: ResultFile, increment: int, count: int) -> CurrentSh
         raise ValueError(f"count must be 2 or more places, not {count}")
     axis = cable_axis(results, increment)
     place = np.linspace(*axis.common, count)
-    contacts = _Spread(results, increment, axis)
+    contacts = _spread_of_contacts(results, increment, axis)
     rows, entering = _entering(results, increment)
     n, number = len(results.wires), results.wire_arcs.wire
     current = np.array([np.bincount(number[rows], entering * np.tile(part, 2), n) for part in contacts.before(place)]).T
@@ -183,16 +184,9 @@ def _at_ends(
 
 
 class _Spread:
-    """Contacts along an axis: places of lines stand for what is next to them, crossings are where they are."""
+    """Contacts along an axis: each is spread evenly about its place."""
 
-    def __init__(self, results: ResultFile, increment: int, axis: CableAxis):
-        ledger = results.contacts_at(increment)
-        points = [np.stack([ledger[f"point_{side}_{name}"] for name in "xyz"], axis=1) for side in (1, 2)]
-        place = axis.place((points[0] + points[1]) / 2)
-        own = rows_of(results.element_ids, ledger["element_2"])
-        ends = results.positions(increment)[results.elements[own]]
-        slope = np.abs((ends[:, 1] - ends[:, 0]) @ axis.direction) / results.wire_arcs.length[own]
-        half = slope * ledger["spacing"] / 2 if "spacing" in ledger else np.zeros(ledger.n_rows)
+    def __init__(self, axis: CableAxis, place: np.ndarray, half: np.ndarray):
         self._begin = np.clip(place - half, 0.0, axis.length)
         self._end = np.clip(place + half, 0.0, axis.length)
         self._length = axis.length
@@ -206,6 +200,30 @@ class _Spread:
                 yield np.ones(len(width))
             else:
                 yield np.clip(np.where(wide, (place - self._begin) / width, place > self._begin), 0.0, 1.0)
+
+
+def _spread_of_contacts(results: ResultFile, increment: int, axis: CableAxis) -> _Spread:
+    """Places of lines stand for what is next to them, crossings are where they are."""
+    ledger = results.contacts_at(increment)
+    points = [np.stack([ledger[f"point_{side}_{name}"] for name in "xyz"], axis=1) for side in (1, 2)]
+    slope = _slope(results, increment, axis, ledger["element_2"])
+    half = slope * ledger["spacing"] / 2 if "spacing" in ledger else np.zeros(ledger.n_rows)
+    return _Spread(axis, axis.place((points[0] + points[1]) / 2), half)
+
+
+def _spread_on_surfaces(results: ResultFile, increment: int, axis: CableAxis) -> _Spread:
+    """Contacts with rigid surfaces over the lengths that touch."""
+    contacts = results.surface_contacts_at(increment)
+    points = np.stack([contacts[f"point_{name}"] for name in "xyz"], axis=1)
+    slope = _slope(results, increment, axis, contacts["element"])
+    return _Spread(axis, axis.place(points), slope * contacts["length"] / 2)
+
+
+def _slope(results: ResultFile, increment: int, axis: CableAxis, elements: np.ndarray) -> np.ndarray:
+    """How far elements lead along an axis, over their length."""
+    own = rows_of(results.element_ids, elements)
+    ends = results.positions(increment)[results.elements[own]]
+    return np.abs((ends[:, 1] - ends[:, 0]) @ axis.direction) / results.wire_arcs.length[own]
 
 
 def along_cable(results: ResultFile, increment: int, count: int) -> Table:
@@ -224,9 +242,13 @@ def along_cable(results: ResultFile, increment: int, count: int) -> Table:
     width = axis.length / count
     columns = {"place": (edges[:-1] + edges[1:]) / 2}
     values = np.array(list(of_contacts.values()))
-    before = np.array([values @ part for part in _Spread(results, increment, axis).before(edges)])
+    before = np.array([values @ part for part in _spread_of_contacts(results, increment, axis).before(edges)])
     for name, upto in zip(of_contacts, before.T, strict=True):
         columns[f"{name}_per_length"] = np.diff(upto) / width
+    heat = joule_heat_on_surfaces(results.surface_contacts_at(increment))
+    if heat.any():
+        upto = np.array([heat @ part for part in _spread_on_surfaces(results, increment, axis).before(edges)])
+        columns["heat_on_surfaces_per_length"] = np.diff(upto) / width
     heat = results.field("joule_heat", increment)
     upto = np.zeros(count + 1)
     for number, (wire, along) in enumerate(zip(results.wires, axis.along, strict=True)):
@@ -251,6 +273,10 @@ def wire_heat(results: ResultFile, increment: int) -> Table:
     for side in (1, 2):
         wire = arcs.wire[rows_of(results.element_ids, ledger[f"element_{side}"])]
         in_contacts += np.bincount(wire, ledger["joule_heat"] / 2, n)
+    on_surfaces = results.surface_contacts_at(increment)
+    if on_surfaces.n_rows:
+        wire = arcs.wire[rows_of(results.element_ids, on_surfaces["element"])]
+        in_contacts += np.bincount(wire, joule_heat_on_surfaces(on_surfaces) / 2, n)
     columns = {
         "wire": np.arange(n),
         "length": arcs.wire_length,

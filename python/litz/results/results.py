@@ -112,7 +112,8 @@ class Results(ResultFile):
         """Resistance between any two wires, from a circuit of all contacts and of the metal between them; needs SciPy.
 
         It is what a measurement would give whose current enters one wire and leaves another, at the contacts, temperatures and
-        resistivities of this increment. Terminals, potentials and equations of the deck take no part.
+        resistivities of this increment. Terminals, potentials and equations of the deck take no part, and rigid
+        surfaces neither: wires that only a plate joins have an infinite one.
 
         Parameters
         ----------
@@ -189,7 +190,8 @@ class Results(ResultFile):
         -------
         Table
             `place`: middle of the slice along the axis; `force_per_length`, `conductance_per_length`,
-            `contact_heat_per_length`: sums of all contacts between wires in it over its thickness; `wire_heat_per_length`.
+            `contact_heat_per_length`: sums of all contacts between wires in it over its thickness; `wire_heat_per_length`;
+            where currents enter rigid surfaces `heat_on_surfaces_per_length`, of both halves of these contacts.
         """
         return along_cable.along_cable(self, increment, count)
 
@@ -200,7 +202,7 @@ class Results(ResultFile):
         -------
         Table
             `wire`, counted from 0; `length`; `along`: heat of the currents along the wire; `contacts`: half of the heat of
-            each of its contacts; `total`, and `per_length`.
+            each of its contacts, those with rigid surfaces among them; `total`, and `per_length`.
         """
         return along_cable.wire_heat(self, increment)
 

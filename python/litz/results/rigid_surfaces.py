@@ -47,7 +47,7 @@ class SurfaceShape:
     reference_node : int, optional
         Number of the node with which it moves; None: it is fixed in space.
     radii : ndarray
-        Total times [s], ascending, and radii [m] there, (2, n): between them the radius changes linearly.
+        Total times [s], ascending, and radii [m] there, (2, n): at the start, and at the increments of one that changes.
     """
 
     name: str

@@ -12,7 +12,7 @@ from .contact_places import ContactPlaces, contact_places
 from .contact_pressures import pressure_lines
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
-from .surface_forces import surface_forces
+from .surface_forces import joule_heat_on_surfaces, surface_forces
 
 _MAX_ROWS = 30
 _MAX_PAIRS = 12
@@ -67,6 +67,7 @@ def _last_increment(results: ResultFile) -> str:
     places = contact_places(results, contacts)
     zones = contact_zones(places, unit)
     heat_wires, heat_contacts = results.field("joule_heat").sum(), contacts["joule_heat"].sum()
+    heat_surfaces = joule_heat_on_surfaces(results.surface_contacts_at(-1)).sum()
     time = with_unit(f"{results.times[-1]:g}", unit["s"])
     lines = [
         f"at time {time} (step {results.steps[-1]}, increment {results.increments[-1]}):",
@@ -76,12 +77,14 @@ def _last_increment(results: ResultFile) -> str:
         *pressure_lines(results),
     ]
     lines += _on_surfaces(results)
-    if heat_wires + heat_contacts > 0:
+    heat = heat_wires + heat_contacts + heat_surfaces
+    if heat > 0:
+        of_surfaces = f", on rigid surfaces {heat_surfaces:.5g} {unit['W']}" if heat_surfaces else ""
         lines += [
             f"  electric power in      {potential @ entering:12.5g} {unit['W']}",
             (
-                f"  Joule heat             {heat_wires + heat_contacts:12.5g} {unit['W']:4} "
-                f"(wires {heat_wires:.5g} {unit['W']}, contacts {heat_contacts:.5g} {unit['W']})"
+                f"  Joule heat             {heat:12.5g} {unit['W']:4} "
+                f"(wires {heat_wires:.5g} {unit['W']}, contacts {heat_contacts:.5g} {unit['W']}{of_surfaces})"
             ),
         ]
     lines += _heat(results)

@@ -35,5 +35,10 @@ def surface_forces(results: ResultFile) -> Table:
     return Table(columns, {name: units.get(name, "") for name in columns})
 
 
+def joule_heat_on_surfaces(contacts: Table) -> np.ndarray:
+    """Heat of the currents in contacts with rigid surfaces, (n) [W]; files of earlier versions have none."""
+    return contacts["joule_heat"] if "joule_heat" in contacts else np.zeros(contacts.n_rows)
+
+
 def _components(name: str) -> list[str]:
     return [f"{name}_{axis}" for axis in "xyz"]
