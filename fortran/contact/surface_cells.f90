@@ -44,6 +44,8 @@ module litz_surface_cells
       type(line_force_t) :: normal
       !> Stiffness of the metal around the spot, which stays elastic [N/m^2]; of an end [N/m]
       real(dp) :: elastic_stiffness = 0
+      !> How the force of the cell changes with the overlap here [N/m^2]; of an end [N/m]
+      real(dp) :: sum_stiffness = 0
       !> Place of the memory of metal that yields; 0: it has none here
       integer :: place = 0
       !> It is one of an end; what yielding dissipates there in this increment [J]
@@ -200,6 +202,8 @@ contains
       type(surface_cell_t), intent(in) :: cell
 
       xi = sum(cell%points%weight*cell%points%normal%force*cell%points%xi)/cell%force
+      ! an end and the place beside it may press and pull
+      xi = max(-1.0_dp, min(1.0_dp, xi))
    end function centre_of_force
 
    !> What the next increment has to know of a cell, with what friction has done in this one.

@@ -18,13 +18,16 @@ module litz_surface_ends
    private
    public :: find_ends, update_ends
 
+   !> Radii that differ by less of themselves are the same
+   real(dp), parameter :: same = 1.0e-9_dp
+
 contains
 
    !> Which nodes of a cell are round ends or joints, and of how many of the wires that may touch.
-   pure subroutine find_ends(wires, lengths, nodes, is_member, cell)
+   pure subroutine find_ends(wires, radii, nodes, is_member, cell)
       type(wires_t), intent(in) :: wires
       !> Of the elements (n_elements) [m]
-      real(dp), intent(in) :: lengths(:)
+      real(dp), intent(in) :: radii(:)
       !> Nodes of the element (2)
       integer, intent(in) :: nodes(:)
       !> Elements that may touch (n_elements)
@@ -39,7 +42,9 @@ contains
          going_on = 0
          do i = wires%first_at_node(nodes(side)), wires%first_at_node(nodes(side) + 1) - 1
             associate (e => abs(wires%at_node(i)), its_side => merge(1, 2, wires%at_node(i) < 0))
-               if (.not. is_member(e)) cycle
+               ! a thinner wire is inside the sphere
+               if (.not. is_member(e) .or. radii(e) < (1 - same)*radii(cell%element)) cycle
+               if (radii(e) > (1 + same)*radii(cell%element)) going_on = going_on + 1
                if (wires%next(its_side, e) == 0) then
                   ending = ending + 1
                else
@@ -47,8 +52,7 @@ contains
                end if
             end associate
          end do
-         ! a wire that goes on there needs no sphere
-         cell%ends(side)%wire_length = length_of_wire(wires, lengths, cell%element)
+         ! a wire that goes on there needs no sphere, nor does one beside a thicker one
          cell%ends(side)%part = merge(0.0_dp, 1.0_dp/ending, going_on > 0)
       end do
    end subroutine find_ends
@@ -90,6 +94,7 @@ contains
          cell%ends%penalty = law%line_penalty()
       end associate
       cell%ends%radius = axis%radius
+      cell%ends%length = axis%length
       if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
          all(abs(curvature%opening - cell%ends%bend)*axis%radius <= tolerance)) return
       cell%law_of_end = laws
@@ -98,18 +103,5 @@ contains
       cell%ends%cylinder = max(0.0_dp, curvature%along*cell%ends%sphere)
       has_changed = .true.
    end subroutine update_ends
-
-   !> Length of the wire of an element, from end to end or to a kink [m].
-   pure real(dp) function length_of_wire(wires, lengths, element) result(length)
-      type(wires_t), intent(in) :: wires
-      !> Of the elements (n_elements) [m]
-      real(dp), intent(in) :: lengths(:)
-      !> The element
-      integer, intent(in) :: element
-
-      associate (w => wires%wire(element))
-         length = sum(lengths(wires%element(wires%first(w):wires%first(w + 1) - 1)))
-      end associate
-   end function length_of_wire
 
 end module litz_surface_ends

@@ -107,6 +107,7 @@ contains
             point%normal = line_force(cell%law, -point%gap, penalty)
             point%elastic_stiffness = point%normal%stiffness
          end if
+         point%sum_stiffness = point%normal%stiffness
          n = n + 1
          points(n) = point
       end subroutine add
@@ -170,8 +171,9 @@ contains
       points(1)%normal = line_force_t(force=energy%first(1), stiffness=energy%second(1, 1), &
          energy=energy%value - points(1)%yielded)
       points(2)%normal = line_force_t(force=energy%first(2), stiffness=energy%second(2, 2))
-      points%elastic_stiffness = points%normal%stiffness*whole%elastic_part
       points(2)%coupling = energy%second(1, 2)
+      points%sum_stiffness = points%normal%stiffness + points(2)%coupling
+      points%elastic_stiffness = points%sum_stiffness*whole%elastic_part
    end subroutine fill_end
 
    !> Force of metal that yields at a place, without its energy: that takes longer.
@@ -306,15 +308,18 @@ contains
       type(surface_cell_t), intent(in) :: cell
       !> Of the unknowns (18)
       real(dp), intent(in) :: step(:)
+      real(dp) :: here
       integer :: i
 
       force = 0
       do i = 1, size(cell%points)
          associate (point => cell%points(i))
-            force = force + point%weight*max(0.0_dp, point%normal%force &
-               - point%normal%stiffness*dot_product(point%row, step))
+            here = point%normal%force - point%sum_stiffness*dot_product(point%row, step)
+            if (.not. point%at_end) here = max(0.0_dp, here)
+            force = force + point%weight*here
          end associate
       end do
+      force = max(0.0_dp, force)
    end function predicted_force
 
 end module litz_surface_forces

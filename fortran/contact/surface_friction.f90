@@ -143,7 +143,7 @@ contains
       force_row = 0
       do i = 1, size(cell%points)
          associate (point => cell%points(i))
-            force_row = force_row - point%weight*point%normal%stiffness*point%row
+            force_row = force_row - point%weight*point%sum_stiffness*point%row
          end associate
       end do
       cell%friction = friction_law(stick%mu, cell%force, cell%stick_stiffness, 0.0_dp, cell%memory%start, &

@@ -88,7 +88,7 @@ contains
             end associate
             term%cells = [term%cells, (surface_cell_t(element=mine(i), pair=pair), i=1, size(mine))]
             do i = size(term%cells) - size(mine) + 1, size(term%cells)
-               call find_ends(domain%wires, domain%elements%length, &
+               call find_ends(domain%wires, domain%elements%radius, &
                   domain%model%connectivity(:, term%cells(i)%element), last_pair > 0, term%cells(i))
             end do
          end do

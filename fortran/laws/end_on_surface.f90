@@ -32,8 +32,8 @@ module litz_end_on_surface
       real(dp) :: radius = 1, bend = 0
       !> rho of the sphere, relative to the surface [m], and kappa of the cylinder, over 1/rho [-]
       real(dp) :: sphere = 1, cylinder = 0
-      !> Part of the sphere that this wire has of those which meet there [-], and its length [m]
-      real(dp) :: part = 1, wire_length = huge(1.0_dp)
+      !> Part of the sphere that this wire has of those which meet there [-], and length of its element [m]
+      real(dp) :: part = 1, length = huge(1.0_dp)
       !> eps_l [N/m^2], or 0
       real(dp) :: penalty = 0
       !> It has touched in a state in balance, and the metal does not yield: it takes the place of the law per length
@@ -121,9 +121,9 @@ contains
       steepness = 1.0_dp - 2*bend_away(end)*overlap*square**(-1.0_dp)*(1.0_dp - smooth(v))
       beside = whole*cylinder_beside(end, v)
       line = energy_of_line(end, overlap, slope, length)
-      if (length%value > end%wire_length) then
+      if (length%value > end%length) then
          beside = beside*line**(-1.0_dp)
-         line = energy_of_line(end, overlap, slope, constant(end%wire_length))
+         line = energy_of_line(end, overlap, slope, constant(end%length))
          beside = beside*line
       end if
       energy = energy + share*steepness*(whole*inside + beside - line)

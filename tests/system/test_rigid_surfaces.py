@@ -171,6 +171,37 @@ def test_a_kink_with_a_leg_along_the_plane_has_the_same_force_whichever_leg_come
     assert one == pytest.approx(other, rel=1e-9)
 
 
+def test_of_unlike_legs_of_a_kink_the_thicker_one_touches(run):
+    depth, points = 1e-6, kinked(30, 30)
+    deck = standing(points, depth).replace(
+        "*BOUNDARY", "*ELSET, ELSET=THIN\n 9, 10, 11, 12, 13, 14, 15, 16\n*BOUNDARY", 1
+    )
+    deck = deck.replace("*BOUNDARY", "*BEAM SECTION, ELSET=THIN, MATERIAL=M, SECTION=CIRC\n 4e-4\n*BOUNDARY", 1)
+    deck = deck.replace("ELSET=WIRE, MATERIAL=M", "ELSET=THICK, MATERIAL=M").replace(
+        "*MATERIAL", "*ELSET, ELSET=THICK\n 1, 2, 3, 4, 5, 6, 7, 8\n*MATERIAL", 1
+    )
+    process, results = run(deck)
+    assert process.returncode == 0, process.stderr
+    sphere = 4 / 3 * YOUNG / (1 - POISSON**2) * np.sqrt(5e-4) * depth**1.5
+    assert results.surface_contacts_at(-1)["force"].sum() == pytest.approx(sphere, rel=1e-4)
+
+
+@pytest.mark.parametrize("degrees", [20, 3, 1])
+def test_friction_of_an_end_resists_at_any_slope(run, degrees):
+    """A plane is pressed on the end of a wire and then drawn along it: force mu N, and its work is heat but for the stick at first, 2 % of the path."""
+    depth, path, mu = 1e-5, 1e-4, 0.3
+    points = [(x, y, z + 5e-4) for x, y, z in leaning(degrees)]
+    plane = surface("PLANE", "0, 0, 0, 0, 0, 1", (99, "0, 0, 0"), HERTZ + f"*FRICTION\n {mu}\n")
+    held = "*BOUNDARY\n W, 1, 6\n 99, 1, 2\n 99, 4, 6\n"
+    pressed = step(f"*BOUNDARY\n 99, 3, 3, {depth}\n*ENERGY PRINT\n", "0.2, 1")
+    drawn = step(f"*BOUNDARY\n 99, 1, 1, {path}\n", "0.1, 1, 1e-5, 0.1")
+    process, results = run(wire(points, 5e-4) + plane + held + pressed + drawn)
+    assert process.returncode == 0, process.stderr
+    force = results.field("reaction_force")[-1]
+    assert force[0] == pytest.approx(mu * force[2], rel=1e-9)
+    assert results.history["ALLFD"][-1] == pytest.approx(mu * force[2] * path, rel=0.03)
+
+
 def test_a_wire_that_lies_on_a_plane_has_all_of_the_force_along_it(run):
     short, long = (force_on_plane(run, along_x(length, 8), 1e-7) for length in (0.016, 0.032))
     assert long == pytest.approx(2 * short, rel=1e-12)
