@@ -64,14 +64,16 @@ def slope_at(v, overlap):
     return v * math.sqrt(overlap / RADIUS)
 
 
-def leg(slope, bend=0.0, elements=40, length=10 * RADIUS):
-    """Points of a wire that rises from its end at the origin, bent away from the plate with kappa = `bend`."""
-    s = np.linspace(0, length, elements + 1)
+def leg(slope, bend=0.0):
+    """Points of a wire that rises from its end at the origin, bent away from the plate with kappa = `bend`.
+
+    Elements of a quarter of a radius, which is longer than the contact.
+    """
+    s = np.arange(0, 41 if not bend else 9) * RADIUS / 4
     curvature = bend / (1 - bend) / RADIUS
     if not curvature:
         return np.column_stack([s * math.sqrt(1 - slope**2), 0 * s, s * slope])
     start = math.asin(slope)
-    s *= 0.2
     angle = start + curvature * s
     return np.column_stack([np.sin(angle) - math.sin(start), 0 * s, math.cos(start) - np.cos(angle)]) / curvature
 
