@@ -84,7 +84,8 @@ contains
       end associate
    end function distance_of
 
-   !> By how much each other crossing of the same wires makes an overlap of it: the nearer and the deeper it is.
+   !> By how much each other crossing of the same wires makes an overlap of it: the nearer and the deeper it is, but for
+   !> those so near that both are one lens.
    subroutine lenses_that_reach_into_each_other_are_found()
       real(dp) :: half_length(n_crossings), expected(n_crossings), apart
       integer :: a, b
@@ -102,7 +103,7 @@ contains
             apart = max(wires%arc_between(crossings(a)%element_bar, crossings(a)%arc_bar, crossings(b)%arc_bar), &
                wires%arc_between(crossings(a)%element, crossings(a)%arc, crossings(b)%arc))
             expected(a) = max(expected(a), rising((pi - apart/(half_length(a) + half_length(b)))/(pi/2)) &
-               *rising(2*crossings(b)%gap/crossings(a)%gap))
+               *rising(5*apart/(half_length(a) + half_length(b)))*rising(2*crossings(b)%gap/crossings(a)%gap))
          end do
       end do
       call sorted%mark_common_lenses(wires, half_length, crossings)
