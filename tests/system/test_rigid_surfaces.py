@@ -188,7 +188,8 @@ def test_of_unlike_legs_of_a_kink_the_thicker_one_touches(run):
 
 @pytest.mark.parametrize("degrees", [20, 3, 1])
 def test_friction_of_an_end_resists_at_any_slope(run, degrees):
-    """A plane is pressed on the end of a wire and then drawn along it: force mu N, and its work is heat but for the stick at first, 2 % of the path."""
+    """A plane is pressed on the end of a wire and then drawn along it: force mu N, and its work is heat but for the stick at
+    first, 2 % of the path."""
     depth, path, mu = 1e-5, 1e-4, 0.3
     points = [(x, y, z + 5e-4) for x, y, z in leaning(degrees)]
     plane = surface("PLANE", "0, 0, 0, 0, 0, 1", (99, "0, 0, 0"), HERTZ + f"*FRICTION\n {mu}\n")
