@@ -11,8 +11,7 @@ module litz_surface_ends
    use litz_rigid_line, only: relative_curvature_t
    use litz_rigid_surface, only: rigid_surface_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, curvature_of_cell, curvature_of_surface
-   use litz_surface_forces, only: end_beside
-   use litz_surface_poses, only: present_surface, element_axis
+   use litz_surface_overlap, only: gap_at
    use litz_wires, only: wires_t
    implicit none
    private
@@ -58,22 +57,21 @@ contains
    end subroutine find_ends
 
    !> What the round ends of a cell carry.
-   subroutine update_ends(domain, tolerance, cell, has_changed)
+   subroutine update_ends(domain, surface, axis, tolerance, cell, has_changed)
       type(domain_t), intent(in) :: domain
+      !> As they are now
+      type(rigid_surface_t), intent(in) :: surface
+      type(wire_axis_t), intent(in) :: axis
       !> Relative changes up to this are left alone; 0: none is
       real(dp), intent(in) :: tolerance
       type(surface_cell_t), intent(inout) :: cell
       !> True from here on if something was updated
       logical, intent(inout) :: has_changed
-      type(rigid_surface_t) :: surface
-      type(wire_axis_t) :: axis
       type(material_place_t) :: there
       type(relative_curvature_t) :: curvature(2)
-      real(dp) :: laws(2), place(2), gap(2), way
+      real(dp) :: laws(2), gap, unused_slope
       integer :: side
 
-      surface = present_surface(domain, cell%pair)
-      axis = element_axis(domain, cell%element, cell%pair)
       laws = 0
       curvature = [(curvature_of_cell(surface, axis, 2.0_dp*side - 3, 0.0_dp), side=1, 2)]
       associate (law => domain%model%interactions(domain%model%surface_pairs(cell%pair)%interaction)%normal)
@@ -83,8 +81,8 @@ contains
             laws(side) = rigid_end(axis%radius, there%young, there%poisson, law%line_penalty(), &
                curvature_of_surface(surface))
             if (.not. tolerance > 0) cell%ends(side)%replaces_line = .false.
-            call end_beside(surface, axis, side, place, gap, way)
-            if (gap(1) < 0 .and. .not. (cell%ends(side)%replaces_line .or. law%yields())) then
+            call gap_at(surface, axis%p, axis%radius, 2.0_dp*side - 3, gap, unused_slope)
+            if (gap < 0 .and. .not. (cell%ends(side)%replaces_line .or. law%yields())) then
                cell%ends(side)%replaces_line = .true.
                has_changed = .true.
             end if

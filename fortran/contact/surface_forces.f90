@@ -19,7 +19,7 @@ module litz_surface_forces
    use litz_yielding_spot, only: dent_t, yielding_state_t, state_at_overlap
    implicit none
    private
-   public :: press_cell, end_beside, energies_of_cell, cell_forces, predicted_force
+   public :: press_cell, energies_of_cell, cell_forces, predicted_force
 
    !> Distance over which the slope at an end is taken, in radii
    real(dp), parameter :: beside_end = 0.1_dp

@@ -17,6 +17,7 @@ module litz_surface_term
    use litz_line_law, only: line_wires_t
    use litz_model, only: step_t
    use litz_rigid_line, only: relative_curvature_t, same_law
+   use litz_rigid_surface, only: rigid_surface_t
    use litz_state, only: energies_t
    use litz_surface_cells, only: surface_cell_t, wire_axis_t, survey_cell, curvature_of_cell, law_of_cell, take_law, &
       contact_of_cell, centre_of_force
@@ -230,6 +231,7 @@ contains
       logical, intent(out) :: has_changed
       type(line_wires_t) :: law
       type(relative_curvature_t) :: curvature
+      type(rigid_surface_t) :: surface
       type(wire_axis_t) :: axis
       integer :: i
 
@@ -237,12 +239,13 @@ contains
       do i = 1, size(self%cells)
          associate (cell => self%cells(i), model => domain%model)
             axis = element_axis(domain, cell%element, cell%pair)
-            curvature = curvature_of_cell(present_surface(domain, cell%pair), axis, cell%overlap%nearest, &
-               maxval(cell%dents%deepest))
+            surface = present_surface(domain, cell%pair)
+            curvature = curvature_of_cell(surface, axis, cell%overlap%nearest, maxval(cell%dents%deepest))
             associate (there => material_at(model, domain%elements, cell%element, cell%overlap%nearest), &
                normal => model%interactions(model%surface_pairs(cell%pair)%interaction)%normal)
                law = law_of_cell(axis, there%young, there%poisson, curvature)
-               if (any(cell%has_end)) call update_ends(domain, tolerance, cell, has_changed)
+               if (any(cell%has_end)) call update_ends(domain, surface, axis, tolerance, cell, &
+                  has_changed)
                call update_stick(cell)
                if (tolerance > 0 .and. same_law(cell%law, law, -cell%overlap%gap, tolerance)) cycle
                call take_law(normal, law, there%young, there%poisson, curvature, cell)
