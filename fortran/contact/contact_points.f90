@@ -220,6 +220,9 @@ module litz_contact_points
       real(dp) :: dgap_dtemperature(4) = 0, dforce_dtemperature(4) = 0
       !> Traction at the present place
       type(friction_law_t) :: friction
+      !> How its dissipation in this increment changes with the motions of the nodes (24) [N, N m], and with the normal
+      !> force [m]
+      real(dp) :: dfriction_work(n_motions) = 0, dfriction_work_dforce = 0
       !> What ploughing has dissipated in this increment [J], and its part of the limit of friction in the next one [-]
       real(dp) :: ploughed = 0, ploughing = 0
       type(friction_iteration_t) :: friction_iteration

@@ -8,6 +8,8 @@ module litz_friction_forces
       friction_slip
    use litz_law_input, only: wire_pair_t
    use litz_model, only: interaction_t
+   use litz_normal_forces, only: law_of_spot
+   use litz_normal_law, only: force_of_gap_t
    use litz_overlap_of_force, only: overlap_of_point
    use litz_ploughing, only: coefficient_of_friction, split_dissipation
    use litz_rotation_forms, only: spin_to_hessian
@@ -52,6 +54,7 @@ contains
       type(wire_slip_t) :: slip
       type(friction_law_t) :: supposed
       type(friction_start_t) :: start
+      type(force_of_gap_t) :: at_gap
       real(dp) :: mu, force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
 
       mu = coefficient_of_friction(law, point)
@@ -72,6 +75,10 @@ contains
          r = wire_friction_residual(slip, point%friction%traction)
          if (.not. point%history%closed) call grow_with_force(dot_product(r, before%dq), point%friction)
          call split_dissipation(law, point)
+         at_gap = law_of_spot(law%normal, point)
+         point%dfriction_work_dforce = law%friction/mu*point%friction%ddissipation_dforce
+         point%dfriction_work = law%friction/mu*matmul(slip%dslip, point%friction%ddissipation_dslip) &
+            + point%dfriction_work_dforce*(dforce_sliding + at_gap%dforce_dgap*point%kinematics%dgap)
       end if
 
       associate (iteration => point%friction_iteration)

@@ -2,8 +2,7 @@
 !> places, by the spots.
 !>
 !> Changes at given potentials and temperatures of the bulks; what follows these is a matter of
-!> litz_contact_heat_tangent. Friction heat, and what spots and strips beside each other do to each other, stay. Source:
-!> theory section 13.
+!> litz_contact_heat_tangent. What spots and strips beside each other do to each other stays. Source: theory section 13.
 module litz_heat_by_motions
    use litz_contact_kinematics, only: n_motions
    use litz_fields, only: motion_slots, temperature_slots
@@ -23,6 +22,8 @@ module litz_heat_by_motions
       !> Logarithms of the shape of the constrictions and of the heat conductance, and resistance as the matrix has it
       !> (contacts) [ohm]
       real(dp), allocatable :: shape(:), heat_conductance(:), resistance(:)
+      !> Work of friction (contacts) [J]
+      real(dp), allocatable :: friction_work(:)
    end type moved_t
 
 contains
@@ -36,7 +37,8 @@ contains
       integer :: i
 
       associate (n => size(self%rows))
-         allocate (moved%place(2, n), moved%shape(n), moved%heat_conductance(n), moved%resistance(n))
+         allocate (moved%place(2, n), moved%shape(n), moved%heat_conductance(n), moved%resistance(n), &
+            moved%friction_work(n))
       end associate
       do i = 1, size(self%rows)
          associate (rows => self%rows(i), nodes => self%contacts(i)%nodes)
@@ -46,6 +48,7 @@ contains
             moved%resistance(i) = dot_product(rows%resistance, dq)
             moved%shape(i) = dot_product(rows%shape, [dq, warmer])
             moved%heat_conductance(i) = dot_product(rows%heat_conductance, [dq, warmer])
+            moved%friction_work(i) = dot_product(rows%friction_work, [dq, warmer])
          end associate
       end do
    end subroutine move_contacts
@@ -87,7 +90,7 @@ contains
       end do
    end function voltage_by_motions
 
-   !> Change of the heats through a spot at fixed bulks and currents (2) [W].
+   !> Change of the heats of a contact at fixed bulks and currents (2) [W].
    pure function heat_by_motions(self, i, moved) result(heat)
       type(contact_heat_t), intent(in) :: self
       !> Contact
@@ -96,7 +99,8 @@ contains
       real(dp) :: heat(2)
 
       associate (spot => self%spots(i))
-         heat = spot%by_shape*moved%shape(i) + spot%by_heat_conductance*moved%heat_conductance(i)
+         heat = spot%by_shape*moved%shape(i) + spot%by_heat_conductance*moved%heat_conductance(i) &
+            + self%contacts(i)%of_work(1)/2*moved%friction_work(i)
       end associate
    end function heat_by_motions
 
@@ -152,10 +156,10 @@ contains
       integer :: i
 
       do i = 1, size(self%contacts)
-         associate (nodes => self%contacts(i)%nodes, heat => self%heat(:, i) + self%between(:, i), &
-            place => moved%place(:, i))
+         associate (contact => self%contacts(i), nodes => self%contacts(i)%nodes, place => moved%place(:, i), &
+            heat => self%heat(:, i) + self%between(:, i) + self%contacts(i)%friction_beyond/2)
             leaving(nodes) = leaving(nodes) + [place(1)*heat(1), -place(1)*heat(1), place(2)*heat(2), &
-               -place(2)*heat(2)]/2
+               -place(2)*heat(2)]/2 - contact%part*contact%of_work(2)/2*moved%friction_work(i)
          end associate
       end do
    end subroutine add_moved_heats

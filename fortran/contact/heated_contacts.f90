@@ -12,7 +12,7 @@ module litz_heated_contacts
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t, pair_geometry
    use litz_contact_spots, only: find_spot
-   use litz_contact_temperatures, only: spot_by_temperature
+   use litz_contact_temperatures, only: spot_by_temperature, stiffer_by_temperature
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
    use litz_heat_law, only: heat_law_t, heat_metal_law
@@ -21,6 +21,7 @@ module litz_heated_contacts
    use litz_law_input, only: wire_pair_t
    use litz_model, only: model_t, interaction_t
    use litz_normal_forces, only: wires_of, line_of_point, law_of_spot
+   use litz_normal_law, only: force_of_gap_t
    use litz_property_table, only: property_at
    use litz_spot_heat, only: spot_path_t
    use litz_spot_laws, only: spot_law
@@ -69,6 +70,8 @@ module litz_heated_contacts
       !> A wire whose conductivity goes with the temperature is at absolute zero or below
       logical :: is_cold = .false.
       real(dp) :: friction_heat = 0
+      !> What BDF2 gives to the nodes beyond that [W]; and both over the work of this increment [1/s]
+      real(dp) :: friction_beyond = 0, of_work(2) = 0
       !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
       real(dp) :: dpath(2, 2) = 0
    contains
@@ -87,6 +90,8 @@ module litz_heated_contacts
       real(dp) :: resistance(n_motions) = 0
       !> Logarithms of the shape c of the constrictions for the current, and of the heat conductance of the spot
       real(dp) :: shape(n_rows) = 0, heat_conductance(n_rows) = 0
+      !> Work of friction in this increment [J]
+      real(dp) :: friction_work(n_rows) = 0
    end type contact_rows_t
 
 contains
@@ -144,7 +149,12 @@ contains
             if (rate > 0) heated%reached(:, side) = part_reached(rate*time_constant(domain, heated%element(side)))
          end do
          if (rate > 0) heated%settled_heat = point%history%settled_heat
-         heated%friction_heat = law%heat%friction_fraction*point%friction%dissipation*rate
+         associate (work => point%friction%dissipation, weights => domain%heat_weights)
+            heated%of_work = law%heat%friction_fraction*rate*[1.0_dp, weights(1) - 1]
+            heated%friction_heat = heated%of_work(1)*work
+            heated%friction_beyond = heated%of_work(2)*work &
+               - heated%of_work(1)*weights(2)*point%history%last_dissipation
+         end associate
          heated%is_passed = law%heat%exists() .or. heated%conductance > 0
          if (.not. heated%is_passed) return
          pair = wires_of(domain%model, domain%elements, point)
@@ -378,9 +388,11 @@ contains
       integer :: side
 
       rows%place = reshape([point%kinematics%dxi_bar, point%kinematics%dxi], shape(rows%place))
-      if (.not. heated%is_passed) return
-      pair = wires_of(domain%model, domain%elements, point)
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
+         if (point%friction%dissipation > 0) rows%friction_work = [point%dfriction_work, work_by_temperature(domain, &
+            point, law_of_spot(law%normal, point))]
+         if (.not. heated%is_passed) return
+         pair = wires_of(domain%model, domain%elements, point)
          if (point%conductance > 0) then
             conductance(:n_motions) = point%dconductance
             conductance(n_motions + 1:) = spot_by_temperature(domain, law, point, point%dconductance_dgap, &
@@ -405,6 +417,17 @@ contains
          end if
       end associate
    end function contact_rows
+
+   !> How the work of friction changes with temperatures where nothing moves: as the normal force does (4) [J/K].
+   pure function work_by_temperature(domain, point, at_gap) result(slope)
+      type(domain_t), intent(in) :: domain
+      type(contact_point_t), intent(in) :: point
+      type(force_of_gap_t), intent(in) :: at_gap
+      real(dp) :: slope(4)
+
+      slope = point%dfriction_work_dforce*(at_gap%dforce_dgap*point%dgap_dtemperature &
+         + point%force*stiffer_by_temperature(domain, point))
+   end function work_by_temperature
 
    !> Heat by which the temperature at a contact is above the linear one since before the increment [W].
    pure real(dp) function left_of_settled(contact, side)

@@ -106,8 +106,8 @@ module litz_surface_cells
       real(dp) :: stick_stiffness = 0, traction(3) = 0
       !> How the residual changes with the force by the limit of friction (18)
       real(dp) :: friction_by_force(18) = 0
-      !> Work of friction in this increment [J]
-      real(dp) :: friction_work = 0
+      !> Work of friction in this increment [J], and how it changes with the unknowns (18)
+      real(dp) :: friction_work = 0, dfriction_work(18) = 0
       !> Forces and moments on the surface about its centre, with friction (6) [N, N m]
       real(dp) :: on_surface(6) = 0
    end type surface_cell_t

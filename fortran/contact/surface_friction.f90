@@ -148,6 +148,8 @@ contains
       end do
       cell%friction = friction_law(stick%mu, cell%force, cell%stick_stiffness, 0.0_dp, cell%memory%start, &
          cell%part*s%slip)
+      cell%dfriction_work = cell%part*matmul(cell%friction%ddissipation_dslip, s%row) &
+         + cell%friction%ddissipation_dforce*force_row
       cell%traction = -matmul(s%along, cell%friction%traction)
       associate (iteration => cell%iteration)
          if (iteration%status == friction_none) then

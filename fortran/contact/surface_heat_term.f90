@@ -5,10 +5,10 @@
 module litz_surface_heat_term
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_temperature, temperature_slots
+   use litz_fields, only: field_temperature, motion_slots, temperature_slots
    use litz_kinds, only: dp
    use litz_model, only: step_t
-   use litz_rubbing, only: is_abrupt, power_of
+   use litz_rubbing, only: rubbing_t, is_abrupt, power_of
    use litz_term, only: term_t
    implicit none
    private
@@ -68,7 +68,33 @@ contains
       associate (leaving => domain%forces%internal(temperature_slots(1), :))
          leaving = leaving - self%of_surfaces
       end associate
+      if (.not. domain%coupled_step) return
+      do i = 1, size(domain%surface_rubbing)
+         call add_tangent(self, domain, domain%surface_rubbing(i))
+      end do
    end subroutine evaluate
+
+   !> How the heat of one cell changes with motions, and with temperatures that the mechanics sees.
+   subroutine add_tangent(self, domain, this)
+      class(surface_heat_term_t), intent(in) :: self
+      type(domain_t), intent(inout) :: domain
+      type(rubbing_t), intent(in) :: this
+      real(dp) :: share, unused, rows(3), k(3, 18), k_t(3, 3)
+      integer :: nodes(3), n
+
+      call domain%share_of_nodes(this%element(1), share, unused)
+      rows(:2) = -share*this%share(1)*[1 - this%xi(1), 1 + this%xi(1)]/2
+      rows(3) = merge(-this%share(2), 0.0_dp, this%node > 0)
+      rows = domain%heat_weights(1)*self%rate*rows
+      nodes = [domain%model%connectivity(:, this%element(1)), this%mover]
+      n = merge(3, 2, this%mover > 0)
+      k = spread(rows, 2, 18)*spread(this%dheat, 1, 3)
+      k_t = spread(rows, 2, 3)*spread([this%dheat_dtemperature, 0.0_dp], 1, 3)
+      call domain%add_cells(reshape(nodes(:n), [n, 1]), temperature_slots, motion_slots, &
+         reshape(k(:n, :6*n), [n, 6*n, 1]))
+      call domain%add_cells(reshape(nodes(:n), [n, 1]), temperature_slots, temperature_slots, &
+         reshape(k_t(:n, :n), [n, n, 1]))
+   end subroutine add_tangent
 
    !> What enters an element comes to its nodes, but for what its film takes between them.
    subroutine add_element(self, domain, e)

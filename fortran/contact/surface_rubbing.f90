@@ -13,12 +13,13 @@ module litz_surface_rubbing
    use litz_surface_friction, only: surface_slip_t, surface_slip, sticking_t, rub_cell, stick_stiffness_of, &
       place_friction
    use litz_surface_overlap, only: gap_at
+   use litz_surface_swelling, only: force_by_radius, swelling_of
    use litz_surface_poses, only: present_surface, surface_at_start, element_axis, axis_moved_by, surface_node, &
       surface_turn
    use litz_wires, only: arc_from_to
    implicit none
    private
-   public :: touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells, rubbing_turn
+   public :: touched_t, sticking_of, rub, find_friction_work, rubbing_of_cells, rubbing_turn
 
    !> A cell that touched when the increment began.
    type :: touched_t
@@ -163,14 +164,23 @@ contains
       end do
    end function rubbing_turn
 
-   !> What friction has done to a cell in this increment [J].
-   pure real(dp) function work_of_friction(domain, cell) result(work)
+   !> What friction has done to a cell in this increment. A cell that opens in it has rubbed while its traction fell to
+   !> nothing; what it held elastically is lost.
+   pure subroutine find_friction_work(domain, cell)
       type(domain_t), intent(in) :: domain
-      type(surface_cell_t), intent(in) :: cell
+      type(surface_cell_t), intent(inout) :: cell
+      type(surface_slip_t) :: slip
 
-      work = cell%friction%dissipation
-      if (cell%has_place .and. .not. cell%force > 0) work = heat_of_opening(domain, cell)
-   end function work_of_friction
+      cell%friction_work = cell%friction%dissipation
+      if (.not. cell%has_place .or. cell%force > 0) return
+      associate (start => cell%memory%start)
+         cell%friction_work = start%elastic_energy
+         if (.not. norm2(start%traction) > 0) return
+         slip = slip_at(domain, cell)
+         cell%friction_work = max(0.0_dp, start%elastic_energy + dot_product(start%traction, slip%slip)/2)
+         if (cell%friction_work > 0) cell%dfriction_work = matmul(start%traction, slip%row)/2
+      end associate
+   end subroutine find_friction_work
 
    !> Cells that give heat of friction to wires which conduct heat.
    pure function rubbing_of_cells(domain, cells) result(rubbing)
@@ -191,25 +201,16 @@ contains
                rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], &
                   [law%surface_share, 1 - law%surface_share], law%friction_fraction*cell%friction_work, &
                   law%friction_fraction*cell%memory%last_dissipation)
+               rubbing(n)%dheat = law%friction_fraction*cell%dfriction_work
+               rubbing(n)%dheat_dtemperature = law%friction_fraction*cell%friction%ddissipation_dforce &
+                  *force_by_radius(cell)*swelling_of(domain, cell%element)
             end associate
+            rubbing(n)%mover = surface_node(domain, cell)
             if (.not. surface_conducts(model, model%surface_pairs(cell%pair)%surface, field_temperature)) cycle
             rubbing(n)%node = surface_node(domain, cell)
          end associate
       end do
       rubbing = rubbing(:n)
    end function rubbing_of_cells
-
-   !> A cell that opens in the increment has rubbed while its traction fell to nothing; what it held elastically is
-   !> lost.
-   pure real(dp) function heat_of_opening(domain, cell) result(heat)
-      type(domain_t), intent(in) :: domain
-      type(surface_cell_t), intent(in) :: cell
-      type(surface_slip_t) :: slip
-
-      heat = cell%memory%start%elastic_energy
-      if (.not. norm2(cell%memory%start%traction) > 0) return
-      slip = slip_at(domain, cell)
-      heat = max(0.0_dp, heat + dot_product(cell%memory%start%traction, slip%slip)/2)
-   end function heat_of_opening
 
 end module litz_surface_rubbing

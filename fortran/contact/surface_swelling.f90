@@ -10,7 +10,7 @@ module litz_surface_swelling
    use litz_surface_cells, only: surface_cell_t
    implicit none
    private
-   public :: swelling_of, add_swelling
+   public :: swelling_of, force_by_radius, add_swelling
 
 contains
 
@@ -47,22 +47,23 @@ contains
    !> What a larger radius does, where nothing moves (18) [N/m, N].
    pure function forces_by_radius(cell) result(slope)
       type(surface_cell_t), intent(in) :: cell
-      real(dp) :: slope(18), force, stiffness
+      real(dp) :: slope(18)
       integer :: i
 
-      slope = 0
-      force = 0
+      slope = force_by_radius(cell)*cell%friction_by_force
       do i = 1, size(cell%points)
          associate (point => cell%points(i))
-            stiffness = point%weight*point%normal%stiffness
-            slope = slope - stiffness*point%row
-            force = force + stiffness
-            if (.not. abs(point%coupling) > 0) cycle
-            slope = slope - point%coupling*(point%row + cell%points(i - 1)%row)
-            force = force + 2*point%coupling
+            slope = slope - point%weight*point%normal%stiffness*point%row
+            if (abs(point%coupling) > 0) slope = slope - point%coupling*(point%row + cell%points(i - 1)%row)
          end associate
       end do
-      slope = slope + force*cell%friction_by_force
    end function forces_by_radius
+
+   !> The same of the force of a cell [N/m].
+   pure real(dp) function force_by_radius(cell) result(slope)
+      type(surface_cell_t), intent(in) :: cell
+
+      slope = sum(cell%points%weight*cell%points%normal%stiffness) + 2*sum(cell%points%coupling)
+   end function force_by_radius
 
 end module litz_surface_swelling

@@ -28,7 +28,7 @@ module litz_surface_term
    use litz_surface_friction, only: stick_stiffness_of
    use litz_surface_memory, only: recall_memory, keep_memory
    use litz_surface_poses, only: present_surface, element_axis, surface_node, surface_turn, work_of_radii
-   use litz_surface_rubbing, only: rubbing_turn, touched_t, sticking_of, rub, work_of_friction, rubbing_of_cells
+   use litz_surface_rubbing, only: rubbing_turn, touched_t, sticking_of, rub, find_friction_work, rubbing_of_cells
    use litz_surface_swelling, only: add_swelling
    use litz_term, only: term_t, status_t
    use litz_text, only: to_text
@@ -174,7 +174,7 @@ contains
       integer :: i
 
       do i = 1, size(self%cells)
-         self%cells(i)%friction_work = work_of_friction(domain, self%cells(i))
+         call find_friction_work(domain, self%cells(i))
       end do
       domain%surface_rubbing = rubbing_of_cells(domain, self%cells)
    end subroutine keep_friction
@@ -202,6 +202,7 @@ contains
             law%line_penalty(), cell)
       end associate
       cell%friction = friction_law_t()
+      cell%dfriction_work = 0
       cell%traction = 0
       if (.not. cell%force > 0) call forget_friction(cell%iteration)
    end subroutine press_one

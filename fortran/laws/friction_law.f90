@@ -33,6 +33,8 @@ module litz_friction_law
       real(dp) :: work_beyond_mean = 0
       !> Part of the slip that is not elastic (2) [m], and what it and a softer spring turn to heat, never negative [J]
       real(dp) :: plastic_slip(2) = 0, dissipation = 0
+      !> dE/dD (2) [N] and dE/dF [m] of the dissipation E
+      real(dp) :: ddissipation_dslip(2) = 0, ddissipation_dforce = 0
    end type friction_law_t
 
    !> The contact when the increment began; all 0: it was open.
@@ -59,16 +61,18 @@ contains
       !> derivative, as without it
       real(dp), intent(in), optional :: expected(2)
       type(friction_law_t) :: law
-      real(dp) :: held(2), dtrial_dforce(2), size_of_trial, direction(2), along(2), ratio, softening
+      real(dp) :: held(2), dtrial_dforce(2), size_of_trial, direction(2), along(2), ratio, softening, dsoftening
       integer :: i
 
       softening = 1
+      dsoftening = 0
       held = start%traction
       dtrial_dforce = dstiffness_dforce*slip
       if (stiffness < start%stiffness) then
          softening = stiffness/start%stiffness
+         dsoftening = dstiffness_dforce/start%stiffness
          held = softening*start%traction
-         dtrial_dforce = dtrial_dforce + dstiffness_dforce*start%traction/start%stiffness
+         dtrial_dforce = dtrial_dforce + dsoftening*start%traction
       end if
       law%trial = held + stiffness*slip                                                   ! T* = T_n + k_t D
       size_of_trial = norm2(law%trial)
@@ -93,6 +97,9 @@ contains
          law%plastic_slip = (size_of_trial - mu*force)/stiffness*direction
          ! a limit that changes along the slip counts with its mean
          law%dissipation = mu*(softening*start%force + force)/2*norm2(law%plastic_slip)
+         law%ddissipation_dslip = mu*(softening*start%force + force)/2*direction
+         law%ddissipation_dforce = mu*(dsoftening*start%force + 1)/2*norm2(law%plastic_slip) &
+            + mu*(softening*start%force + force)/2*dslip_dforce()
       end if
       law%elastic_work = dot_product(held + law%traction, slip - law%plastic_slip)/2
       law%work_beyond_mean = law%dissipation - dot_product(start%traction + law%traction, law%plastic_slip)/2 &
@@ -102,7 +109,22 @@ contains
          law%elastic_work = law%elastic_work - lost
          law%dissipation = law%dissipation + lost + of_motion
          law%work_beyond_mean = law%work_beyond_mean + of_motion
+         law%ddissipation_dforce = law%ddissipation_dforce - dsoftening*start%elastic_energy
+         if (.not. of_motion > 0) return
+         law%ddissipation_dslip = law%ddissipation_dslip + (1 - softening)*mu*start%force/2*direction
+         law%ddissipation_dforce = law%ddissipation_dforce - dsoftening*of_motion/(1 - softening) + (1 - softening) &
+            *mu*start%force/2*(dslip_dforce() + mu*(1 - force*dstiffness_dforce/stiffness)/stiffness)
       end associate
+
+   contains
+
+      !> How the part of the slip that is not elastic changes with the normal force [m/N].
+      pure real(dp) function dslip_dforce()
+
+         dslip_dforce = (dot_product(direction, dtrial_dforce) - mu - norm2(law%plastic_slip)*dstiffness_dforce) &
+            /stiffness
+      end function dslip_dforce
+
    end function friction_law
 
    !> A traction, of the size of the limit of friction at most.

@@ -27,8 +27,11 @@ module litz_rubbing
       real(dp) :: share(2) = 0.5_dp
       !> Heat that friction makes in this increment and made in the last one [J]
       real(dp) :: heat = 0, heat_before = 0
-      !> Node of a rigid surface with a temperature; 0: none
-      integer :: node = 0
+      !> Node of a rigid surface with a temperature, and the one that moves the surface; 0: none
+      integer :: node = 0, mover = 0
+      !> How the heat of this increment on a rigid surface changes with the motions of the nodes of the wire and of the
+      !> surface (18), and with the temperatures of the former (2) [J/K]
+      real(dp) :: dheat(18) = 0, dheat_dtemperature(2) = 0
    end type rubbing_t
 
 contains

@@ -142,6 +142,14 @@ def test_a_mat_is_that_of_turns(litz, tmp_path, results_of):
     assert full.status["iterations"].sum() < 0.75 * turns.status["iterations"].sum()
 
 
+def test_an_increment_with_heat_of_friction_takes_few_iterations(results_of):
+    """The tangent knows how the heat of a wiper at its contact changes as that slides and presses: without this the heat falls
+    to a hundredth in an iteration at best, of which two increments of three take five or more."""
+    status = results_of("22_wiper").status
+    sliding = status["iterations"][status["step"] == 2]
+    assert np.mean(sliding <= 4) > 0.9
+
+
 def test_a_heated_wire_buckles_and_bows(litz, tmp_path):
     """A bow w from one of e, between clamps: r^2 (1 - e/w) + (w^2 - e^2)/4 = share r^2."""
     bow, share = RADIUS / 20, 4.0

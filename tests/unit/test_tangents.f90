@@ -40,6 +40,7 @@ program test_tangents
    character(len=*), parameter :: penalty = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//'1e7'//nl
    character(len=*), parameter :: hertz = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ'//nl
    character(len=*), parameter :: yielding = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD=1e8'//nl
+   character(len=*), parameter :: rubbing = '*FRICTION'//nl//'0.01'//nl
    character(len=*), parameter :: spot = '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ'//nl
    character(len=*), parameter :: penalty_of_line = '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR'//nl//', 1e9'//nl
    !> Without the resistance in the elements, by which the currents of points depend on each other: how motions change
@@ -140,7 +141,19 @@ program test_tangents
    call check_heat_of_contacts('heat through contacts over time', spot, '')
    call check_heat_of_contacts('heat over force', '*GAP CONDUCTANCE, LAW=TABLE'//nl//'0.01, 0.02'//nl//'1000, 2'//nl)
    call check_coupled_steps()
+   call check_heat_of_friction('heat of friction, Hertz', hertz//rubbing, exact)
+   call check_heat_of_friction('heat of friction, penalty', penalty//rubbing, exact)
+   call check_heat_of_friction('heat of friction between wires that pass heat', hertz//rubbing//'*GAP CONDUCTANCE, '// &
+      'LAW=CONSTANT'//nl//'1e-6'//nl, exact)
+   ! what sticks while the wires get softer gives way: of the order of the elastic slip over the slip
+   elasticity = '1.2e11, 0.3, -100'//nl//'0.8e11, 0.35, 300'//nl
+   call check_heat_of_friction('heat of friction, softening', hertz//rubbing, 1.0e-5_dp)
+   elasticity = '1.1e11, 0.3'//nl
    call check_superconductors()
+   call check_heat_of_friction('heat of friction on a plane', surfaces('PLANE', &
+      '0, 0, -1.02e-3, 2e-4, -0.005, 1', '1e-2'), exact)
+   call check_heat_of_friction('heat of friction on a drum', surfaces('CYLINDER', &
+      '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '1e-2'), exact)
    call note_rubbed_surface()
    call check_yielding('wires turned in their dent', spot, [3.0_dp, 1.03_dp], exact)
    call check_yielding('long spot of wires turned in their dent', spot, [3.0_dp, 1.12_dp], exact, &
@@ -740,6 +753,32 @@ contains
       end do
    end subroutine check_coupled
 
+   !> Wires that rub against each other in a step over time: what backward Euler gives them, and what BDF2 does. No
+   !> current flows, and the metal conducts and stores next to no heat, so that this is most of what changes.
+   subroutine check_heat_of_friction(name, laws, tolerance)
+      character(len=*), intent(in) :: name, laws
+      real(dp), intent(in) :: tolerance
+      character(len=*), parameter :: start = '*NSET, NSET=ALL'//nl//'1, 2, 3, 4, 11, 12, 13, 14'//nl// &
+         '*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 0'//nl//'*PHYSICAL CONSTANTS, ABSOLUTE ZERO=-273.15'//nl
+      type(problem_t) :: problem
+      integer :: trial
+
+      expansion = '*CONDUCTIVITY'//nl//'1e-3'//nl//'*DENSITY'//nl//'1e-6'//nl//'*SPECIFIC HEAT'//nl//'385'//nl// &
+         '*EXPANSION, ZERO=0'//nl//'17e-6'//nl
+      call solve_first_step(over_time(deck_of('B33', 'B33', laws, '', '', start)), problem)
+      expansion = ''
+      problem%coupled_step = .true.
+      do trial = 1, 3
+         call compare(name, problem, tolerance, 0.1_dp, warmer=1.0_dp)
+      end do
+      problem%heat_weights = [1.5_dp, 0.5_dp]
+      problem%contact%converged%history%last_dissipation = 1.0e-9_dp
+      problem%state%temperature_before = problem%state%value(temperature_slots(1), :)
+      do trial = 1, 3
+         call compare(name//' after an increment with it', problem, tolerance, 0.1_dp, warmer=1.0_dp)
+      end do
+   end subroutine check_heat_of_friction
+
    !> Three wires that cross one element of another one, which moves.
    subroutine check_shared(name, laws, equations)
       character(len=*), intent(in) :: name, laws
@@ -829,6 +868,18 @@ contains
       last = index(cards, '*END STEP', back=.true.)
       cards = cards(:last - 1)//'*SOLVER, NAME=BLOCK, COUPLING=FULL'//nl//cards(last:)
    end function coupled
+
+   !> The same over time.
+   function over_time(deck) result(cards)
+      character(len=*), intent(in) :: deck
+      character(len=:), allocatable :: cards
+      character(len=*), parameter :: steady = ', STEADY STATE'
+      integer :: place
+
+      cards = coupled(deck)
+      place = index(cards, steady)
+      cards = cards(:place - 1)//cards(place + len(steady):)
+   end function over_time
 
    !> A wire that rubs on a drum, in a step over time: its heat is no matter of the tangent.
    subroutine note_rubbed_surface()
