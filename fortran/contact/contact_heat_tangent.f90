@@ -47,7 +47,7 @@ contains
             by_node(:, a) = n(a)*inverse_of_own(self, i, self%slope(:, side, i))
             bulk_by_node(side, a) = n(a)
             bulk_by_node(:, a) = bulk_by_node(:, a) + self%elements(self%ends%place_of(:, i))%heat_series &
-               *(1 - contact%xi**2)*by_node(:, a)
+               *contact%own*by_node(:, a)
          end do
          k_tt = reshape([(-n(:2)*by_node(1, a), -n(3:)*by_node(2, a), a=1, 4)], [4, 4])
          k_te = 0
@@ -195,7 +195,7 @@ contains
             change%heat(:, i) = self%spots(i)%by_current*change%current(i) &
                + change%current(i)*self%of_others(:, i) + current*of_others(:, i)
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
-               *self%rise(:, i) + self%elements(place)%heat_series*(1 - contact%xi**2)/2*even(place)
+               *self%rise(:, i) + self%elements(place)%heat_series*contact%even*even(place)
             if (allocated(moved)) change%heat(:, i) = change%heat(:, i) + heat_by_motions(self, i, moved)
          end associate
       end do

@@ -42,6 +42,8 @@ module litz_contact_heat_term
       real(dp), private :: rate = 0
       !> What friction gives to the elements beyond its work per time (n_elements) [W]
       real(dp), allocatable, private :: of_friction(:)
+      !> What films take of the heat of contacts between the nodes (n_elements) [W]
+      real(dp), allocatable, private :: through_film(:)
    contains
       procedure :: apply_load
       procedure :: evaluate
@@ -101,6 +103,7 @@ contains
          allocate (r(4, size(contacts)))
          do i = 1, size(contacts)
             r(:, i) = -contacts(i)%part*(self%heat%heat([1, 1, 2, 2], i) + self%heat%between([1, 1, 2, 2], i))
+            call lose_to_films(self, i)
          end do
       end associate
       call domain%add_cells(nodes, temperature_slots, both_slots, self%k, r)
@@ -111,6 +114,22 @@ contains
       call keep_heat(self)
    end subroutine evaluate
 
+   !> What does not come to the nodes of a contact.
+   subroutine lose_to_films(self, i)
+      class(contact_heat_term_t), intent(inout) :: self
+      !> Contact
+      integer, intent(in) :: i
+      integer :: side
+
+      associate (contact => self%heat%contacts(i), entering => self%heat%heat(:, i) + self%heat%between(:, i))
+         do side = 1, 2
+            associate (lost => self%through_film(contact%element(side)))
+               if (contact%film(side) > 0) lost = lost + (1 - sum(contact%part(2*side - 1:2*side)))*entering(side)
+            end associate
+         end do
+      end associate
+   end subroutine lose_to_films
+
    !> What the works of friction of the last two increments give to the nodes beyond the heat of the contacts.
    subroutine add_friction(self, domain)
       class(contact_heat_term_t), intent(inout) :: self
@@ -118,11 +137,12 @@ contains
       type(rubbing_t), allocatable :: rubbing(:)
 
       self%of_friction = spread(0.0_dp, 1, domain%model%n_elements)
+      self%through_film = self%of_friction
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
       ! the contacts have the rate of this increment
       call add_friction_heat(rubbing, domain%model%connectivity, domain%heat_weights - [1, 0], 1/self%rate, &
-         domain%forces%internal(temperature_slots(1), :), self%of_friction)
+         domain%forces%internal(temperature_slots(1), :), self%of_friction, self%through_film)
    end subroutine add_friction
 
    !> The forces balance, so that friction is known: an increment in which it sets in or ends takes backward Euler.
@@ -225,6 +245,7 @@ contains
 
       element%nodes = domain%model%connectivity(:, e)
       element%even_heat = domain%element_heat(e)
+      element%film = domain%film_between_nodes(e)
       associate (material => domain%model%materials(domain%model%sections(domain%model%element_section(e))%material))
          element%heat_fraction = material%joule_fraction
          call property_at(material%heat_conductivity, domain%mean_temperature(e), value, slope)
@@ -433,6 +454,7 @@ contains
             end associate
          end do
          state%heat_made = state%heat_made + self%of_friction
+         state%surface_heat = state%surface_heat + self%through_film
       end associate
       call remember_heat(self)
    end subroutine accept

@@ -89,7 +89,7 @@ contains
    end subroutine insert
 
    !> How what enters the elements at the ends raises the potential or the temperature there, above the linear one.
-   subroutine rise_at_ends(ends, scale, entering, rise)
+   subroutine rise_at_ends(ends, scale, entering, rise, film)
       type(element_ends_t), intent(in) :: ends
       !> rho L0/(4 A) of each element that has ends, or L0/(4 lambda A) (elements) [ohm], [K/W]
       real(dp), intent(in) :: scale(:)
@@ -97,12 +97,16 @@ contains
       real(dp), intent(in) :: entering(:)
       !> On the barred and on the unbarred wire (2, contacts) [V], [K]
       real(dp), intent(out) :: rise(:, :)
-      real(dp) :: above(size(entering))
+      !> w^2 of (13.3) of each element, whose film takes a part between the nodes (elements); absent: none does
+      real(dp), intent(in), optional :: film(:)
+      real(dp) :: above(size(entering)), w2(size(scale))
       integer :: k, i
 
+      w2 = 0
+      if (present(film)) w2 = film
       !$omp parallel do schedule(static) if (size(scale) >= worth_threads)
       do k = 1, size(scale)
-         call potential_rise(scale(k), ends%xi(ends%first(k):ends%first(k + 1) - 1), &
+         call potential_rise(scale(k), w2(k), ends%xi(ends%first(k):ends%first(k + 1) - 1), &
             entering(ends%first(k):ends%first(k + 1) - 1), above(ends%first(k):ends%first(k + 1) - 1))
       end do
       !$omp end parallel do

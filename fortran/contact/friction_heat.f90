@@ -2,6 +2,7 @@
 module litz_friction_heat
    use litz_contact_points, only: contact_point_t, contact_set_t
    use litz_domain, only: domain_t
+   use litz_fin, only: fin_parts
    use litz_heated_contacts, only: can_pass_heat
    use litz_kinds, only: dp
    use litz_rubbing, only: rubbing_t
@@ -75,9 +76,15 @@ contains
       type(contact_point_t), intent(in) :: point
       !> Of friction in this increment and in the last one [J]
       real(dp), intent(in) :: work, work_before
+      real(dp) :: unused(2)
+      integer :: side
 
       rubbing%element = [point%element_bar, point%element]
       rubbing%xi = [point%xi_bar, point%xi]
+      do side = 1, 2
+         call fin_parts(domain%film_between_nodes(rubbing%element(side)), rubbing%xi(side), rubbing%part(:, side), &
+            unused)
+      end do
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction)%heat)
          rubbing%heat = law%friction_fraction*work
          rubbing%heat_before = law%friction_fraction*work_before

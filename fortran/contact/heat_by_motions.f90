@@ -108,7 +108,7 @@ contains
    function bulk_by_motions(self, moved) result(bulk)
       type(contact_heat_t), intent(in) :: self
       type(moved_t), intent(in) :: moved
-      real(dp) :: bulk(2, size(self%contacts)), of_even
+      real(dp) :: bulk(2, size(self%contacts)), by_place
       integer :: i, side
 
       bulk = moved_rise_by(self%elements, self%ends, self%heat + self%between, moved%place)
@@ -117,9 +117,10 @@ contains
             do side = 1, 2
                associate (element => self%elements(self%ends%place_of(side, i)), &
                   t => self%temperature(2*side - 1:2*side, i))
-                  of_even = element%heat_series*element%even_heat/2 &
-                     + element%steady_heat_series*left_of_settled(contact, side)
-                  bulk(side, i) = bulk(side, i) + moved%place(side, i)*((t(2) - t(1))/2 - 2*contact%xi(side)*of_even)
+                  by_place = dot_product(contact%dpart(2*side - 1:2*side), t - contact%sink(side)) &
+                     + contact%deven(side)*element%heat_series*element%even_heat &
+                     + contact%down(side)*element%steady_heat_series*left_of_settled(contact, side)
+                  bulk(side, i) = bulk(side, i) + moved%place(side, i)*by_place
                end associate
             end do
          end associate
@@ -158,8 +159,8 @@ contains
       do i = 1, size(self%contacts)
          associate (contact => self%contacts(i), nodes => self%contacts(i)%nodes, place => moved%place(:, i), &
             heat => self%heat(:, i) + self%between(:, i) + self%contacts(i)%friction_beyond/2)
-            leaving(nodes) = leaving(nodes) + [place(1)*heat(1), -place(1)*heat(1), place(2)*heat(2), &
-               -place(2)*heat(2)]/2 - contact%part*contact%of_work(2)/2*moved%friction_work(i)
+            leaving(nodes) = leaving(nodes) - contact%dpart*[place(1)*heat(1), place(1)*heat(1), place(2)*heat(2), &
+               place(2)*heat(2)] - contact%part*contact%of_work(2)/2*moved%friction_work(i)
          end associate
       end do
    end subroutine add_moved_heats

@@ -272,11 +272,10 @@ contains
       do i = 1, size(self%contacts)
          associate (contact => self%contacts(i))
             do side = 1, 2
-               linear(side, i) = dot_product(contact%part(2*side - 1:2*side), &
-                  temperature(contact%nodes(2*side - 1:2*side)))
+               linear(side, i) = contact%linear_temperature(side, temperature(contact%nodes(2*side - 1:2*side)))
                associate (element => self%elements(self%ends%place_of(side, i)))
-                  base(side, i) = linear(side, i) + (1 - contact%xi(side)**2)*(element%heat_series*element%even_heat/2 &
-                     + element%steady_heat_series*left_of_settled(contact, side))
+                  base(side, i) = linear(side, i) + contact%even(side)*element%heat_series*element%even_heat &
+                     + contact%own(side)*element%steady_heat_series*left_of_settled(contact, side)
                end associate
             end do
          end associate
@@ -333,7 +332,7 @@ contains
       heat = 0
       do side = 1, 2
          associate (contact => self%contacts(i), element => self%elements(self%ends%place_of(side, i)))
-            associate (at_place => element%steady_heat_series*(1 - contact%xi(side)**2), &
+            associate (at_place => element%steady_heat_series*contact%own(side), &
                reached => contact%reached(:, side))
                if (.not. at_place > least_rise*element%steady_heat_series) cycle
                steady = (self%rise(side, i)/at_place - left_of_settled(contact, side))/sum(slow_and_fast*reached)
@@ -481,7 +480,7 @@ contains
       integer, intent(in) :: i
       real(dp) :: rise(2)
 
-      rise = self%elements(self%ends%place_of(:, i))%heat_series*(1 - self%contacts(i)%xi**2)
+      rise = self%elements(self%ends%place_of(:, i))%heat_series*self%contacts(i)%own
    end function own_rise
 
    !> `(1 - dq/dtau D)^-1` times heats of a contact: what they become as its own bulks follow (2) [W].

@@ -15,6 +15,7 @@ module litz_heated_contacts
    use litz_contact_temperatures, only: spot_by_temperature, stiffer_by_temperature
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
+   use litz_fin, only: fin_parts, fin_growth, fin_even
    use litz_heat_law, only: heat_law_t, heat_metal_law
    use litz_heat_within, only: part_reached, slow_and_fast
    use litz_hot_spot, only: constrictions_t
@@ -32,9 +33,15 @@ module litz_heated_contacts
    public :: contact_rows_t, contact_rows, n_rows, left_of_settled
 
    type :: heated_contact_t
-      !> Nodes of both elements, barred first, and their parts of the values at its places
+      !> Nodes of both elements, barred first, and their parts of the temperatures at its places, and of the heat that
+      !> enters there; how these change as the places move
       integer :: nodes(4) = 0
-      real(dp) :: part(4) = 0
+      real(dp) :: part(4) = 0, dpart(4) = 0
+      !> Of both elements: w^2 of (13.3), and what surrounds their films [K]
+      real(dp) :: film(2) = 0, sink(2) = 0
+      !> What heat does that enters at the place, `1 - xi^2` without a film, or evenly, half of that; and how these
+      !> change as the place moves (2)
+      real(dp) :: own(2) = 0, down(2) = 0, even(2) = 0, deven(2) = 0
       !> Both elements, their materials, and the places in them, barred first
       integer :: element(2) = 0, material(2) = 0
       real(dp) :: xi(2) = 0
@@ -77,6 +84,7 @@ module litz_heated_contacts
    contains
       procedure :: warm
       procedure :: series_resistance
+      procedure :: linear_temperature
    end type heated_contact_t
 
    !> Motions of the four nodes of a contact, and the temperatures there that its mechanics sees
@@ -141,7 +149,9 @@ contains
          heated%material = domain%model%sections(domain%model%element_section(heated%element))%material
          heated%xi = [point%xi_bar, point%xi]
          heated%nodes = reshape(domain%model%connectivity(:, heated%element), [4])
-         heated%part = [1 - heated%xi(1), 1 + heated%xi(1), 1 - heated%xi(2), 1 + heated%xi(2)]/2
+         do side = 1, 2
+            call place_in_film(domain, side, heated)
+         end do
          heated%conductance = point%conductance
          heated%series = point%series_resistance
          do side = 1, 2
@@ -171,13 +181,43 @@ contains
          if (heated%is_hot) heated%constrictions = constrictions_t(heated%shape, heated%film_resistance, &
             is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
          do side = 1, 2
-            associate (part => heated%part(2*side - 1:2*side), node => heated%nodes(2*side - 1:2*side))
-               heated%is_cold = heated%is_cold .or. heated%is_metal .and. dot_product(part, &
-                  domain%iterate%value(temperature_slots(1), node)) <= domain%model%absolute_zero
-            end associate
+            heated%is_cold = heated%is_cold .or. heated%is_metal .and. heated%linear_temperature(side, &
+               domain%iterate%value(temperature_slots(1), heated%nodes(2*side - 1:2*side))) &
+               <= domain%model%absolute_zero
          end do
       end associate
    end function heated_contact
+
+   !> What the place in an element does between its nodes.
+   subroutine place_in_film(domain, side, heated)
+      type(domain_t), intent(in) :: domain
+      !> 1: barred, 2: unbarred
+      integer, intent(in) :: side
+      type(heated_contact_t), intent(inout) :: heated
+
+      associate (w2 => heated%film(side), xi => heated%xi(side), part => heated%part(2*side - 1:2*side), &
+         dpart => heated%dpart(2*side - 1:2*side))
+         w2 = domain%film_between_nodes(heated%element(side))
+         if (w2 > 0) heated%sink(side) = domain%sink(heated%element(side))
+         call fin_parts(w2, xi, part, dpart)
+         call fin_even(w2, xi, heated%even(side), heated%deven(side))
+         heated%own(side) = 4*fin_growth(w2)*product(part)
+         heated%down(side) = 4*fin_growth(w2)*sum(dpart*[part(2), part(1)])
+      end associate
+   end subroutine place_in_film
+
+   !> Temperature at a place by those of the nodes [K].
+   pure real(dp) function linear_temperature(self, side, temperature)
+      class(heated_contact_t), intent(in) :: self
+      !> 1: barred, 2: unbarred
+      integer, intent(in) :: side
+      !> Of the nodes of its element (2) [K]
+      real(dp), intent(in) :: temperature(2)
+
+      associate (sink => self%sink(side))
+         linear_temperature = sink + dot_product(self%part(2*side - 1:2*side), temperature - sink)
+      end associate
+   end function linear_temperature
 
    !> Those of the spot of the current; a resistance that is given is all constriction.
    pure subroutine find_constrictions(point, pair, heated)

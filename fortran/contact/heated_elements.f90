@@ -20,6 +20,8 @@ module litz_heated_elements
       real(dp) :: series = 0, heat_series = 0, steady_heat_series = 0
       !> Derivatives of ln(rho) and ln(lambda) by the mean temperature [1/K]
       real(dp) :: dresistivity = 0, dconductivity = 0
+      !> w^2 of (13.3): its film takes a part of what enters between the nodes
+      real(dp) :: film = 0
       !> Of superconducting filaments: derivatives of the heat by V1 - V2 [A] and by the temperature of either node
       !> [W/K]
       real(dp) :: heat_by_voltage = 0, heat_by_temperature = 0
@@ -153,7 +155,8 @@ contains
       real(dp) :: rise(2, size(heat, 2))
       integer :: i
 
-      call rise_at_ends(ends, elements%heat_series, [(heat(ends%side(i), ends%contact(i)), i=1, size(ends%xi))], rise)
+      call rise_at_ends(ends, elements%heat_series, [(heat(ends%side(i), ends%contact(i)), i=1, size(ends%xi))], rise, &
+         elements%film)
    end function rise_by
 
    !> Heat that enters elements at their nodes, as heat that leaves these is positive.
@@ -185,14 +188,14 @@ contains
 
       rise = 0
       do k = 1, size(elements)
-         call move_rise(elements(k)%heat_series, ends, k, heat, dplace, rise)
+         call move_rise(elements(k)%heat_series, elements(k)%film, ends, k, heat, dplace, rise)
       end do
    end function moved_rise_by
 
    !> The same in one element.
-   pure subroutine move_rise(scale, ends, k, entering, dplace, rise)
-      !> L0/(4 lambda A) of the element [K/W]
-      real(dp), intent(in) :: scale
+   pure subroutine move_rise(scale, film, ends, k, entering, dplace, rise)
+      !> L0/(4 lambda A) of the element [K/W], and w^2 of its film
+      real(dp), intent(in) :: scale, film
       type(element_ends_t), intent(in) :: ends
       !> Number among the elements with contacts
       integer, intent(in) :: k
@@ -204,7 +207,7 @@ contains
       integer :: i
 
       associate (first => ends%first(k), last => ends%first(k + 1) - 1)
-         call moved_rise(scale, ends%xi(first:last), [(dplace(ends%side(i), ends%contact(i)), i=first, last)], &
+         call moved_rise(scale, film, ends%xi(first:last), [(dplace(ends%side(i), ends%contact(i)), i=first, last)], &
             [(entering(ends%side(i), ends%contact(i)), i=first, last)], above)
          do i = first, last
             rise(ends%side(i), ends%contact(i)) = above(i - first + 1)

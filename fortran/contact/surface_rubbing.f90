@@ -198,10 +198,10 @@ contains
                %heat_conductivity)) cycle
             n = n + 1
             associate (law => model%interactions(model%surface_pairs(cell%pair)%interaction)%heat)
-               rubbing(n) = rubbing_t([cell%element, 0], [cell%xi, 0.0_dp], &
-                  [law%surface_share, 1 - law%surface_share], law%friction_fraction*cell%friction_work, &
-                  law%friction_fraction*cell%memory%last_dissipation)
-               rubbing(n)%dheat = law%friction_fraction*cell%dfriction_work
+               rubbing(n) = rubbing_t(element=[cell%element, 0], xi=[cell%xi, 0.0_dp], &
+                  share=[law%surface_share, 1 - law%surface_share], heat=law%friction_fraction*cell%friction_work, &
+                  heat_before=law%friction_fraction*cell%memory%last_dissipation, &
+                  dheat=law%friction_fraction*cell%dfriction_work)
                rubbing(n)%dheat_dtemperature = law%friction_fraction*cell%friction%ddissipation_dforce &
                   *force_by_radius(cell)*swelling_of(domain, cell%element)
             end associate

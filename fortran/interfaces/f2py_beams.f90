@@ -207,7 +207,7 @@ contains
       integer :: i
 
       do i = 1, n
-         call core_potential_rise(scale(i), xi(:, i), current(:, i), rise(:, i))
+         call core_potential_rise(scale(i), 0.0_c_double, xi(:, i), current(:, i), rise(:, i))
       end do
    end subroutine potential_rise
 

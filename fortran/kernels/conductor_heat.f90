@@ -15,7 +15,7 @@ module litz_conductor_heat
    use litz_kinds, only: dp
    implicit none
    private
-   public :: heated_wire_t, conductor_heat, heat_flows_t, nodal_share
+   public :: heated_wire_t, conductor_heat, heat_flows_t, nodal_share, film_number
 
    !> An element, its material at the mean temperature, and its film.
    type :: heated_wire_t
@@ -116,10 +116,17 @@ contains
       real(dp), intent(out) :: t, dt
       real(dp) :: w2
 
-      w2 = wire%film*wire%length/(4*wire%conductivity)*(wire%length/wire%area)
+      w2 = film_number(wire)
       call film_share(w2, t, dt)
       dt = -dt*w2*wire%dconductivity/(2*wire%conductivity)
    end subroutine nodal_share
+
+   !> w^2 of (3)
+   pure real(dp) function film_number(wire)
+      type(heated_wire_t), intent(in) :: wire
+
+      film_number = wire%film*wire%length/(4*wire%conductivity)*(wire%length/wire%area)
+   end function film_number
 
    !> `t = tanh(w)/w` over `w^2`, and its derivative.
    pure subroutine film_share(w2, t, dt)

@@ -2,7 +2,7 @@
 module litz_domain
    use litz_kinds, only: dp
    use litz_conductor, only: conductor
-   use litz_conductor_heat, only: heated_wire_t, nodal_share
+   use litz_conductor_heat, only: heated_wire_t, nodal_share, film_number
    use litz_constrained_cells, only: scatter_constrained
    use litz_dependent_cells, only: scatter_dependent
    use litz_element_library, only: elements_t
@@ -50,8 +50,9 @@ module litz_domain
       type(forces_t) :: forces
       !> Heat that enters each element evenly at this iterate, of currents and sources (n_elements) [W]
       real(dp), allocatable :: element_heat(:)
-      !> Films of the elements: heat per length and kelvin, at the end of the increment (n_elements) [W/(m K)]
-      real(dp), allocatable :: film(:)
+      !> Films of the elements: heat per length and kelvin, and temperature of the surroundings, at the end of the
+      !> increment (n_elements) [W/(m K)], [K]
+      real(dp), allocatable :: film(:), sink(:)
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
       !> Euler, or BDF2
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
@@ -81,6 +82,7 @@ module litz_domain
       procedure :: mechanical_temperature
       procedure :: resistivity
       procedure :: share_of_nodes
+      procedure :: film_between_nodes
       procedure :: note_metal
       procedure :: flow_in
       procedure :: find_superconducting_flows
@@ -145,14 +147,42 @@ contains
       integer, intent(in) :: element
       !> The part, and its derivative by the temperature of either node [1/K]
       real(dp), intent(out) :: share, dshare
-      type(heated_wire_t) :: wire
 
       share = 1
       dshare = 0
-      if (.not. self%film(element) > 0) return
+      if (.not. (self%film(element) > 0 .and. conducts_heat(self, element))) return
+      call nodal_share(cooled_wire(self, element), share, dshare)
+   end subroutine share_of_nodes
+
+   !> w^2 of (13.3) of an element with a film; 0: it has none.
+   pure real(dp) function film_between_nodes(self, element) result(w2)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+
+      w2 = 0
+      if (self%film(element) > 0 .and. conducts_heat(self, element)) w2 = film_number(cooled_wire(self, element))
+   end function film_between_nodes
+
+   pure logical function conducts_heat(self, element)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+
+      associate (model => self%model)
+         conducts_heat = allocated(model%materials(model%sections(model%element_section(element))%material) &
+            %heat_conductivity)
+      end associate
+   end function conducts_heat
+
+   !> An element with its film.
+   pure type(heated_wire_t) function cooled_wire(self, element) result(wire)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+
       associate (section => self%model%sections(self%model%element_section(element)))
          associate (material => self%model%materials(section%material))
-            if (.not. allocated(material%heat_conductivity)) return
             wire%length = self%conduction_length(element)
             wire%area = section%area
             wire%film = self%film(element)
@@ -160,8 +190,7 @@ contains
                wire%dconductivity)
          end associate
       end associate
-      call nodal_share(wire, share, dshare)
-   end subroutine share_of_nodes
+   end function cooled_wire
 
    !> Of a conducting element at its mean temperature.
    pure subroutine resistivity(self, element, rho, drho)

@@ -79,6 +79,7 @@ contains
 
       self%given = heat_at(domain%model, step, step_time, domain%state%time - domain%state%step_time)
       domain%film = self%given%film*2*pi*domain%model%sections(domain%model%element_section)%contact_radius
+      domain%sink = self%given%sink
    end subroutine apply_load
 
    !> What a film cools has a temperature.

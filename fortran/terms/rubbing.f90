@@ -23,6 +23,8 @@ module litz_rubbing
       !> Both elements, 0 for a rigid surface, and the places in them, barred first
       integer :: element(2) = 0
       real(dp) :: xi(2) = 0
+      !> Of what enters an element there, the parts that come to its nodes (2, 2)
+      real(dp) :: part(2, 2) = 0
       !> Part of the heat that enters either
       real(dp) :: share(2) = 0.5_dp
       !> Heat that friction makes in this increment and made in the last one [J]
@@ -60,8 +62,8 @@ contains
       power = (weights(1)*rubbing%heat - weights(2)*rubbing%heat_before)/increment
    end function power_of
 
-   !> What the nodes get of (1); `made` is the same by elements.
-   pure subroutine add_friction_heat(rubbing, connectivity, weights, increment, leaving, made)
+   !> What the nodes get of (1); `made` is the same by elements, with what their films take between the nodes.
+   pure subroutine add_friction_heat(rubbing, connectivity, weights, increment, leaving, made, through_film)
       type(rubbing_t), intent(in) :: rubbing(:)
       !> Nodes of the elements (2, n_elements)
       integer, intent(in) :: connectivity(:, :)
@@ -72,19 +74,20 @@ contains
       !> Heat that leaves the nodes (n_nodes) [W]
       real(dp), intent(inout) :: leaving(:)
       !> (n_elements) [W]
-      real(dp), intent(inout) :: made(:)
+      real(dp), intent(inout) :: made(:), through_film(:)
       real(dp) :: heat
       integer :: i, side
 
       do i = 1, size(rubbing)
          do side = 1, 2
-            associate (xi => rubbing(i)%xi(side), e => rubbing(i)%element(side))
+            associate (part => rubbing(i)%part(:, side), e => rubbing(i)%element(side))
                if (e == 0) cycle
                heat = rubbing(i)%share(side)*power_of(rubbing(i), weights, increment)
                associate (nodes => connectivity(:, e))
-                  leaving(nodes) = leaving(nodes) - heat*[1 - xi, 1 + xi]/2
+                  leaving(nodes) = leaving(nodes) - heat*part
                end associate
                made(e) = made(e) + heat
+               through_film(e) = through_film(e) + heat*(1 - sum(part))
             end associate
          end do
       end do

@@ -192,6 +192,27 @@ def network(law, other, volts=0.05, temperatures=(293, 320, 300, 310, 320), cond
     return np.array(table).T
 
 
+def fins(film, around, temperatures=(293, 320, 300, 310, 320), conductance=0.05):
+    """The same wires in films, without currents: temperatures of both wires at the crossings, and heat into the first."""
+    places = np.array([-0.01, *CROSSINGS, 0.01])
+    pieces = [(i, i + 1, places[i + 1] - places[i]) for i in range(4)]
+    for foot in (5, 8, 11):
+        pieces += [(foot, foot + 1, 0.006), (foot + 1, foot + 2, 0.014)]
+    slope = np.sqrt(film * 2 * np.pi * RADIUS / (LAMBDA * AREA))
+    matrix, fixed = np.zeros((14, 14)), dict(zip((0, 4, 5, 8, 11), temperatures, strict=True))
+    for a, b, length in pieces:
+        own, other = 1 / np.tanh(slope * length), -1 / np.sinh(slope * length)
+        matrix[np.ix_([a, b], [a, b])] += slope * LAMBDA * AREA * np.array([[own, other], [other, own]])
+    pairs = np.array([(1, 6), (2, 9), (3, 12)])
+    for a, b in pairs:
+        matrix[np.ix_([a, b], [a, b])] += conductance * np.array([[1, -1], [-1, 1]])
+    right = np.zeros(14)
+    for node, value in fixed.items():
+        matrix[node], right[node] = np.eye(14)[node], value - around
+    excess = np.linalg.solve(matrix, right)[pairs].T
+    return excess + around, conductance * (excess[1] - excess[0])
+
+
 LAWS = {
     "CONDUCTIVITY": "*GAP CONDUCTANCE, LAW=CONDUCTIVITY",
     "METAL": f"*GAP CONDUCTANCE, LAW=METAL, LORENZ={LORENZ}",
@@ -212,6 +233,19 @@ class TestAgainstNetworks:
         expected = network(law, other)
         keep = np.isfinite(expected[:, 0])
         np.testing.assert_allclose(found[keep], expected[keep], rtol=1e-7)
+
+    @pytest.mark.parametrize("fine", [True, False], ids=["at nodes", "within elements"])
+    def test_wires_in_a_film_are_the_network_of_their_fins(self, run, fine):
+        """What comes to the nodes of an element, what its film takes between these, and what heat does at other places."""
+        film, around = 3000.0, 285.0
+        results = run(fine=fine, current="*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n1e12", heat=LAWS["CONSTANT"],
+                      loads=f"*FILM\nA, F, {around}, {film}\nB, F, {around}, {film}\n")  # fmt: skip
+        found = contacts_of(results)
+        temperatures, heat = fins(film, around)
+        np.testing.assert_allclose(found[2:4], temperatures, rtol=1e-9)
+        np.testing.assert_allclose(found[5], heat, rtol=1e-8)
+        np.testing.assert_allclose(found[6], -heat, rtol=1e-8)
+        assert {warning.kind for warning in results.warnings} <= {"round_off"}
 
     def test_without_the_keyword_heat_passes_as_the_current_does(self, run):
         """By the heat conductivities of the wires, in the constrictions of the current."""

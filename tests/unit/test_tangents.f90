@@ -603,6 +603,11 @@ contains
       call check_coupled('coupled, heat alone', 'B33', hertz//'*GAP CONDUCTANCE, LAW=CONDUCTIVITY'//nl, exact)
       call check_coupled('coupled, friction that slips', 'B33', hertz//spot//'*FRICTION'//nl//'1e-4'//nl, exact)
       call check_shared('coupled, contacts on one element', spot)
+      ! how the conductivity changes what the film takes of the heat of contacts is left out
+      expansion = '*CONDUCTIVITY'//nl//'400'//nl//'*EXPANSION, ZERO=250'//nl//'17e-6, 100'//nl//'25e-6, 900'//nl
+      call check_shared('coupled, contacts on one element in a film', spot, loads='*FILM'//nl//'A, F, 290, 2e4'//nl// &
+         'B, F, 310, 1e4'//nl)
+      expansion = warm//'*EXPANSION, ZERO=250'//nl//'17e-6, 100'//nl//'25e-6, 900'//nl
       ! the arms of friction, which grow with the radius, are left out: a thermal strain of 1e-5 of its moments
       call check_coupled('coupled, a plane with friction that sticks', 'B33', surfaces('PLANE', &
          '0, 0, -1.02e-3, 2e-4, -0.005, 1', '0.8'), 1.0e-5_dp)
@@ -780,19 +785,21 @@ contains
    end subroutine check_heat_of_friction
 
    !> Three wires that cross one element of another one, which moves.
-   subroutine check_shared(name, laws, equations)
+   subroutine check_shared(name, laws, equations, loads)
       character(len=*), intent(in) :: name, laws
-      !> Cards of the model
-      character(len=*), intent(in), optional :: equations
-      character(len=*), parameter :: loads = '*BOUNDARY'//nl//'1, 9, 9, 0.1'//nl//'11, 9'//nl//'13, 9, 9, 0.01'//nl// &
+      !> Cards of the model, and of the second step
+      character(len=*), intent(in), optional :: equations, loads
+      character(len=*), parameter :: supply = '*BOUNDARY'//nl//'1, 9, 9, 0.1'//nl//'11, 9'//nl//'13, 9, 9, 0.01'//nl// &
          '15, 9, 9, -0.02'//nl
       character(len=*), parameter :: heating = '*BOUNDARY'//nl//'1, 11, 11, 305'//nl//'4, 11, 11, 302'//nl// &
          '11, 11, 11, 301'//nl//'*DFLUX'//nl//'A, BF, 1e6'//nl
       type(problem_t) :: problem
-      character(len=:), allocatable :: cards
+      character(len=:), allocatable :: cards, further
       real(dp) :: part
       integer :: trial
 
+      further = ''
+      if (present(loads)) further = loads
       cards = ''
       part = 0.1_dp
       if (present(equations)) then
@@ -814,7 +821,7 @@ contains
          '*NSET, NSET=B, GENERATE'//nl//'11, 16, 1'//nl//cards//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl// &
          'B, 1, 6' &
          //nl// &
-         '*STEP'//nl//'*STATIC'//nl//loads//'*END STEP'//nl//'*STEP'//nl//'*STATIC'//nl//loads//heating// &
+         '*STEP'//nl//'*STATIC'//nl//supply//'*END STEP'//nl//'*STEP'//nl//'*STATIC'//nl//supply//heating//further// &
          '*END STEP'//nl), problem)
       problem%coupled_step = .true.
       do trial = 1, 3
