@@ -7,8 +7,8 @@ module litz_contact_heat_tangent
    use litz_heat_by_motions, only: moved_t, move_contacts, voltage_by_motions, heat_by_motions, bulk_by_motions, &
       add_moved_currents, add_moved_heats
    use litz_heat_of_contacts, only: contact_heat_t, bulk_map_t, followed_t, follow, change_between, solve_bulks, &
-      inverse_of_own
-   use litz_heated_elements, only: add_at_nodes, rise_by
+      inverse_of_own, rise_of
+   use litz_heated_elements, only: add_at_nodes
    use litz_kinds, only: dp
    implicit none
    private
@@ -86,8 +86,7 @@ contains
          call change_currents(self, potential, temperature, moved, accuracy, change)
          call change_heats(self, potential, temperature, moved, change)
       end associate
-      call solve_bulks(map, change%base + rise_by(self%elements, self%ends, change%heat + change%between), accuracy, &
-         dbulk)
+      call solve_bulks(map, change%base + rise_of(self, change%heat, change%between), accuracy, dbulk)
       call follow(self, dbulk, accuracy, followed)
       call add_entering(self, change%heat + followed%heat + change%between + followed%between, &
          change%at_nodes + followed%at_nodes, heat)
@@ -195,7 +194,7 @@ contains
             change%heat(:, i) = self%spots(i)%by_current*change%current(i) &
                + change%current(i)*self%of_others(:, i) + current*of_others(:, i)
             change%base(:, i) = at - self%elements(place)%dconductivity*mean_change(self, i, temperature) &
-               *self%rise(:, i) + self%elements(place)%heat_series*contact%even*even(place)
+               *(self%rise(:, i) + self%rise_beside(:, i)) + self%elements(place)%heat_series*contact%even*even(place)
             if (allocated(moved)) change%heat(:, i) = change%heat(:, i) + heat_by_motions(self, i, moved)
          end associate
       end do

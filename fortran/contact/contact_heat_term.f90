@@ -11,6 +11,7 @@ module litz_contact_heat_term
    use litz_fields, only: field_temperature, group_transport, potential_slots, temperature_slots
    use litz_friction_heat, only: find_rubbing
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
+   use litz_heat_beside_contacts, only: find_heat_beside, normals_of
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals, contact_rows
    use litz_heat_within, only: slow_and_fast
@@ -19,6 +20,7 @@ module litz_contact_heat_term
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_rubbing, only: rubbing_t, is_abrupt, add_friction_heat
+   use litz_settled_heats, only: settled_heat
    use litz_shared_conductors, only: shared_conductors_t
    use litz_term, only: term_t
    implicit none
@@ -193,6 +195,13 @@ contains
             end associate
          end do
       end do
+      associate (set => self%contact, a => self%points, b => self%line_points, n_a => self%n_points, &
+         n_b => self%n_line_points)
+         call find_heat_beside(domain, set%places, reshape([normals_of(set%points, a(:n_a)), &
+            normals_of(set%line_points, b(:n_b)), normals_of(set%points, a(n_a + 1:)), &
+            normals_of(set%line_points, b(n_b + 1:))], [3, size(contacts)]), [spread(.false., 1, n_a), &
+            spread(.true., 1, n_b), spread(.false., 1, size(a) - n_a), spread(.true., 1, size(b) - n_b)], self%heat)
+      end associate
 
    contains
 
@@ -249,6 +258,7 @@ contains
       associate (material => domain%model%materials(domain%model%sections(domain%model%element_section(e))%material))
          element%heat_fraction = material%joule_fraction
          call property_at(material%heat_conductivity, domain%mean_temperature(e), value, slope)
+         element%conductivity = value
          element%dconductivity = slope/value
          call domain%resistivity(e, value, slope)
          if (domain%elements%superconducting(e)) then
@@ -467,10 +477,10 @@ contains
       if (.not. self%heat%is_solved) return
       associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
          do i = 1, size(a)
-            set%points(a(i))%history%settled_heat = heat%settled_heat(number_of_point(self, i))
+            set%points(a(i))%history%settled_heat = settled_heat(heat, number_of_point(self, i))
          end do
          do i = 1, size(b)
-            set%line_points(b(i))%history%settled_heat = heat%settled_heat(number_of_line_point(self, i))
+            set%line_points(b(i))%history%settled_heat = settled_heat(heat, number_of_line_point(self, i))
          end do
          set%converged(a)%history = set%points(a)%history
          set%converged_line_points(b)%history = set%line_points(b)%history

@@ -4,20 +4,21 @@
 !> its potential, by the matrix `A` of heat; what a current makes in the wire between its contacts does so, too. The
 !> spots give the heats from the temperatures of the bulks,
 !>
-!>     tau = N T + a + A (q(tau) + v)                                                                               (1)
+!>     tau = N T + a + A (q(tau) + v) + M q(tau)                                                                    (1)
 !>
 !> with the heat `v` that the parts of an element between contacts make beyond that of the element without them, half
-!> of it at either end of a part, and the rise `a` by what the element makes evenly. Exact at the contacts for constant
+!> of it at either end of a part, and the rise `a` by what the element makes evenly; M is what strips and spots beside
+!> each other on a wire do to each other, above the mean of its section. Exact at the contacts for constant
 !> properties. What the spots resist follows tau, and with it the currents, q and v. Source: theory sections 7 and 13.
 module litz_heat_of_contacts
    use litz_element_ends, only: element_ends_t, collect_ends
    use litz_gmres, only: linear_map_t, gmres
    use litz_heated_contacts, only: heated_contact_t, contact_rows_t, left_of_settled
-   use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, n_parts, heat_of_parts, change_of_parts, &
       place_heat, rise_by
    use litz_hot_spot, only: hot_spot_t, hot_spot, hot_ok, by_volt
    use litz_kinds, only: dp
+   use litz_mutual_resistances, only: mutual_resistances_t
    use litz_passed_spots, only: passed_spot_t, cold_spot, warmed_spot
    use litz_shared_conductors, only: shared_conductors_t
    use litz_spot_metal, only: spot_metal_t
@@ -25,7 +26,7 @@ module litz_heat_of_contacts
    implicit none
    private
    public :: contact_heat_t, bulk_map_t, followed_t, collect_heat, follow, change_between, solve_bulks, &
-      inverse_of_own
+      inverse_of_own, rise_of
 
    !> Newton's method for (1) stops at this change over the largest temperature, from absolute zero; steps at most
    real(dp), parameter :: accurate = 1.0e-13_dp
@@ -34,8 +35,6 @@ module litz_heat_of_contacts
    !> with their matrix at most
    real(dp), parameter :: part_of_change = 0.01_dp, linear_accuracy = 1.0e-14_dp, least_accuracy = 1.0e-4_dp
    integer, parameter :: max_products = 400
-   !> 1 - xi^2 of a contact that is as good as at a node, where nothing settles
-   real(dp), parameter :: least_rise = 1.0e-6_dp
    !> A temperature of a bulk that would fall below absolute zero keeps this part of itself
    real(dp), parameter :: least_part = 0.1_dp
 
@@ -60,6 +59,9 @@ module litz_heat_of_contacts
       real(dp), allocatable :: current(:), of_others(:, :), potential_rise(:, :)
       !> Temperatures of the bulks, and what of them is above the linear ones (2, contacts) [K]
       real(dp), allocatable :: bulk(:, :), rise(:, :)
+      !> M times the heat conductivities, and what it makes of the heats (2, contacts) [K]
+      type(mutual_resistances_t) :: beside
+      real(dp), allocatable :: rise_beside(:, :)
       !> Heats that enter the wires at the contacts: through the spots, and v (2, contacts) [W]
       real(dp), allocatable :: heat(:, :), between(:, :)
       !> v at both nodes of each element (2, elements), and all v of an element (elements) [W]
@@ -83,7 +85,6 @@ module litz_heat_of_contacts
       real(dp), allocatable :: slope(:, :, :)
    contains
       procedure :: solve
-      procedure :: settled_heat
    end type contact_heat_t
 
    !> What follows a change of the temperatures of the bulks where those of the nodes, and their potentials, stay.
@@ -286,7 +287,7 @@ contains
       do iteration = 1, max_iterations
          call find_state(self, voltage, iteration == 1)
          if (.not. self%is_solved) return
-         left = base + rise_by(self%elements, self%ends, self%heat + self%between) - self%bulk
+         left = base + rise_of(self, self%heat, self%between) - self%bulk
          enough = accurate*maxval(abs(self%bulk - self%zero))
          call solve_bulks(map, left, max(linear_accuracy, min(least_accuracy, part_of_change*enough &
             /max(norm2(left), tiny(left)))), step)
@@ -297,7 +298,8 @@ contains
       ! the heat that belongs to the last step, which is lost in the round-off of temperatures where spots conduct well
       call follow(self, step, least_accuracy, followed)
       self%heat = self%heat + followed%heat
-      self%rise = self%bulk - linear
+      self%rise_beside = rise_of(self, self%heat, 0*self%heat, within=.false.)
+      self%rise = self%bulk - linear - self%rise_beside
 
    contains
 
@@ -319,28 +321,6 @@ contains
       end subroutine add_step
 
    end subroutine find_bulks
-
-   !> Heat in whose steady state the temperatures at a contact are when the increment has ended, slow and fast part,
-   !> barred and unbarred (2, 2) [W].
-   pure function settled_heat(self, i) result(heat)
-      class(contact_heat_t), intent(in) :: self
-      !> Contact
-      integer, intent(in) :: i
-      real(dp) :: heat(2, 2), steady
-      integer :: side
-
-      heat = 0
-      do side = 1, 2
-         associate (contact => self%contacts(i), element => self%elements(self%ends%place_of(side, i)))
-            associate (at_place => element%steady_heat_series*contact%own(side), &
-               reached => contact%reached(:, side))
-               if (.not. at_place > least_rise*element%steady_heat_series) cycle
-               steady = (self%rise(side, i)/at_place - left_of_settled(contact, side))/sum(slow_and_fast*reached)
-               heat(:, side) = reached*steady + (1 - reached)*contact%settled_heat(:, side)
-            end associate
-         end associate
-      end do
-   end function settled_heat
 
    !> Heats through the spots at the temperatures of the bulks. What others add to their voltages heats the wire in
    !> which they do, friction both wires half and half.
@@ -390,7 +370,7 @@ contains
       type(followed_t) :: followed
 
       call follow(self%heat, reshape(x, [2, size(x)/2]), self%accuracy, followed)
-      y = x - reshape(rise_by(self%heat%elements, self%heat%ends, followed%heat + followed%between), [size(x)])
+      y = x - reshape(rise_of(self%heat, followed%heat, followed%between), [size(x)])
    end subroutine apply_bulk_map
 
    !> Each contact by itself: `1 - D dq/dtau` with the diagonal `D` of `A`.
@@ -472,6 +452,28 @@ contains
          dcurrent, dplace)
       call place_heat(self%ends, k, dmade, between, at_nodes)
    end subroutine change_between
+
+   !> `A (q + v) + M q`: how heats raise the temperatures at the contacts (2, contacts) [K].
+   function rise_of(self, heat, between, within) result(rise)
+      type(contact_heat_t), intent(in) :: self
+      !> q, v (2, contacts) [W]
+      real(dp), intent(in) :: heat(:, :), between(:, :)
+      !> With what the heats do within elements; absent: with that
+      logical, intent(in), optional :: within
+      real(dp) :: rise(2, size(heat, 2)), beside(2, size(heat, 2))
+      logical :: has_all
+      integer :: i
+
+      has_all = .true.
+      if (present(within)) has_all = within
+      rise = 0
+      if (has_all) rise = rise_by(self%elements, self%ends, heat + between)
+      if (size(self%beside%shape) == 0) return
+      beside = self%beside%rises(heat)
+      do i = 1, size(heat, 2)
+         rise(:, i) = rise(:, i) + beside(:, i)/self%elements(self%ends%place_of(:, i))%conductivity
+      end do
+   end function rise_of
 
    !> What heat that enters at a contact does to the temperature there by itself: diagonal of A (2) [K/W].
    pure function own_rise(self, i) result(rise)

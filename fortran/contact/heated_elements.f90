@@ -20,6 +20,8 @@ module litz_heated_elements
       real(dp) :: series = 0, heat_series = 0, steady_heat_series = 0
       !> Derivatives of ln(rho) and ln(lambda) by the mean temperature [1/K]
       real(dp) :: dresistivity = 0, dconductivity = 0
+      !> lambda [W/(m K)]
+      real(dp) :: conductivity = 0
       !> w^2 of (13.3): its film takes a part of what enters between the nodes
       real(dp) :: film = 0
       !> Of superconducting filaments: derivatives of the heat by V1 - V2 [A] and by the temperature of either node

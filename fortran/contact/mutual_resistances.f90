@@ -1,4 +1,5 @@
-!> What the current of one contact adds to the voltage of another one through a wire that both touch.
+!> What the current of one contact adds to the voltage of another one through a wire that both touch, and what its heat
+!> adds to the temperature there.
 !>
 !> Source: theory section 10. Strips side by side on a wire (strips_of_wires) and spots near each other
 !> (spots_beside_spots) are such contacts.
@@ -6,14 +7,20 @@ module litz_mutual_resistances
    use litz_kinds, only: dp
    implicit none
    private
-   public :: mutual_resistances_t, both_of
+   public :: mutual_resistances_t, both_of, spots_of
 
    type :: mutual_resistances_t
       !> Pairs of contacts (2, n); which of its wires each shares with the other one (2, n), 1: the barred one; and the
       !> voltage of either that a current of the other one adds (n) [ohm]
       integer, allocatable :: contacts(:, :), sides(:, :)
       real(dp), allocatable :: resistance(:)
+      !> Voltage over resistivity and current that enters, or temperature times heat conductivity over heat that
+      !> enters (n) [1/m]
+      real(dp), allocatable :: shape(:)
+      !> The contacts are spots, not strips beside each other (n)
+      logical, allocatable :: is_spot(:)
    contains
+      procedure :: rises
       procedure :: voltages
       procedure :: voltages_in_wires
    end type mutual_resistances_t
@@ -32,7 +39,42 @@ contains
       both%contacts(:, :n) = a%contacts
       both%contacts(:, n + 1:) = b%contacts
       allocate (both%resistance, source=[a%resistance, b%resistance])
+      allocate (both%shape, source=[a%shape, b%shape])
+      allocate (both%is_spot, source=[a%is_spot, b%is_spot])
    end function both_of
+
+   !> Those of spots.
+   pure type(mutual_resistances_t) function spots_of(all) result(spots)
+      type(mutual_resistances_t), intent(in) :: all
+      integer, allocatable :: members(:)
+      integer :: k
+
+      members = pack([(k, k=1, size(all%is_spot))], all%is_spot)
+      spots%contacts = all%contacts(:, members)
+      spots%sides = all%sides(:, members)
+      spots%resistance = all%resistance(members)
+      spots%shape = all%shape(members)
+      spots%is_spot = all%is_spot(members)
+   end function spots_of
+
+   !> What heat that enters the wires at other contacts adds to the temperature at each, times the heat conductivity
+   !> (2, n) [W/m].
+   pure function rises(self, heat)
+      class(mutual_resistances_t), intent(in) :: self
+      !> Into the barred and the unbarred wire (2, n) [W]
+      real(dp), intent(in) :: heat(:, :)
+      real(dp) :: rises(2, size(heat, 2))
+      integer :: k
+
+      rises = 0
+      do k = 1, size(self%shape)
+         associate (a => self%contacts(1, k), b => self%contacts(2, k), of_a => self%sides(1, k), &
+            of_b => self%sides(2, k))
+            rises(of_a, a) = rises(of_a, a) + self%shape(k)*heat(of_b, b)
+            rises(of_b, b) = rises(of_b, b) + self%shape(k)*heat(of_a, a)
+         end associate
+      end do
+   end function rises
 
    !> What the currents of other contacts add to the voltage of each (n) [V].
    pure function voltages(self, current)

@@ -74,8 +74,10 @@ contains
             call add_pairs_in(spots(k)%element, spots(k)%before, spots(k))
             call add_pairs_beyond(spots(k))
          end do
-         if (pass == 1) allocate (mutual%contacts(2, n), mutual%sides(2, n), mutual%resistance(n))
+         if (pass == 1) allocate (mutual%contacts(2, n), mutual%sides(2, n), mutual%resistance(n), &
+            mutual%shape(n))
       end do
+      mutual%is_spot = spread(.true., 1, n)
 
    contains
 
@@ -147,8 +149,8 @@ contains
          if (pass == 1) return
          mutual%contacts(:, n) = [a%contact, b%contact]
          mutual%sides(:, n) = [a%side, b%side]
-         mutual%resistance(n) = resistance_between(model, wires, elements, a, b, &
-            contacts%resistance([a%contact, b%contact]))
+         call find_resistance(model, wires, elements, a, b, contacts%resistance([a%contact, b%contact]), &
+            mutual%resistance(n), mutual%shape(n))
       end subroutine add_pair
 
    end subroutine collect_spots
@@ -181,13 +183,15 @@ contains
 
    !> What a current through one spot adds to the voltage of the other one [ohm]; half of that by which its own image
    !> adds to its own, which counts from both sides.
-   pure real(dp) function resistance_between(model, wires, elements, a, b, alone) result(resistance)
+   pure subroutine find_resistance(model, wires, elements, a, b, alone, resistance, shape)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(spot_t), intent(in) :: a, b
       !> Resistance of either (2) [ohm]
       real(dp), intent(in) :: alone(2)
+      !> [ohm], and over resistivity and current that enters [1/m]
+      real(dp), intent(out) :: resistance, shape
       type(material_place_t) :: here, there
       real(dp) :: radius, resistivity, cosine, least, potential, image(2)
       integer :: k
@@ -207,11 +211,11 @@ contains
          if (image(k) < reach_of_spot) potential = potential + potential_beside_spot(cosine, image(k), least)
       end do
       if (a%contact == b%contact) potential = potential/2
-      ! the current leaves the barred wire and enters the unbarred one
-      resistance = real((2*a%side - 3)*(2*b%side - 3), dp)*resistivity/radius*potential
       ! a resistance that is given may be below that of any spot on such a wire: (R + A) stays positive definite
-      resistance = resistance*min(1.0_dp, sqrt(product(alone))*radius/resistivity)
-   end function resistance_between
+      shape = potential/radius*min(1.0_dp, sqrt(product(alone))*radius/resistivity)
+      ! the current leaves the barred wire and enters the unbarred one
+      resistance = real((2*a%side - 3)*(2*b%side - 3), dp)*resistivity*shape
+   end subroutine find_resistance
 
    !> Cosine of the angle round the wire between two spots. Along a bend a direction turns with the axis: on an arc of a
    !> circle it is mirrored at the plane across the middle of the chord.

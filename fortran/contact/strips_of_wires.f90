@@ -68,8 +68,10 @@ contains
                a = parts(a)%before
             end do
          end do
-         if (pass == 1) allocate (strips%contacts(2, n), strips%sides(2, n), strips%resistance(n))
+         if (pass == 1) allocate (strips%contacts(2, n), strips%sides(2, n), strips%resistance(n), &
+            strips%shape(n))
       end do
+      strips%is_spot = spread(.false., 1, n)
 
    contains
 
@@ -119,9 +121,9 @@ contains
          there = material_at(model, elements, places%element(place), places%xi(place))
          strips%contacts(:, n) = [a%contact, b%contact]
          strips%sides(:, n) = [a%side, b%side]
+         strips%shape(n) = a%share*b%share/places%length(place)/pi*(0.125_dp - log(max(apart, least_distance)))
          ! the current leaves the barred wire and enters the unbarred one
-         strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*a%share*b%share/places%length(place) &
-            *there%resistivity/pi*(0.125_dp - log(max(apart, least_distance)))
+         strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*there%resistivity*strips%shape(n)
       end subroutine add_pair
 
    end subroutine collect_strips

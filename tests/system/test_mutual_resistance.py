@@ -109,7 +109,9 @@ def test_in_a_bend_directions_round_the_wire_turn_with_its_axis(run):
 
 
 def test_what_spots_add_to_each_other_heats_the_wire_that_they_share(run):
-    """Equal metals at one temperature: each half of a spot is warmed by half of its own heat, the thick wire by the rest."""
+    """Equal metals whose sections have one temperature: each half of a spot makes half of its own heat, the thick wire the rest.
+    There the heat of the one spot is to the temperature at the other as the current is to the potential, and what passes for it
+    to the thin wire is the same part of it, as heat meets lambda rho times less in the spot."""
     text = deck(0, 0.1)
     text = text.replace("*ELECTRICAL CONDUCTIVITY", "*CONDUCTIVITY\n 400.\n*ELECTRICAL CONDUCTIVITY")
     heated = "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n"
@@ -118,8 +120,10 @@ def test_what_spots_add_to_each_other_heats_the_wire_that_they_share(run):
     current = np.abs(ledger["current"])
     added = VOLTAGE * current - ALONE * current**2
     assert (added > 0.04 * ALONE * current**2).all()
-    np.testing.assert_allclose(ledger["heat_1"], ALONE * current**2 / 2 + added, rtol=1e-6)
-    np.testing.assert_allclose(ledger["heat_2"], ALONE * current**2 / 2, rtol=1e-6)
+    own = ALONE * current**2
+    into_thick = (own / 2 + added) / (1 + added / own)
+    np.testing.assert_allclose(ledger["heat_1"], into_thick, rtol=1e-6)
+    np.testing.assert_allclose(ledger["heat_2"], own + added - into_thick, rtol=1e-6)
 
 
 @pytest.mark.parametrize("resistance", [1e-9, 1e-7, 1e-5])

@@ -90,3 +90,41 @@ def test_a_core_feeds_six_wires_around_it(run):
     alone = pair.conductance(pair.force(OVERLAP))
     assert current / n / LENGTH / VOLTS == pytest.approx(1 / (core_to_strip + strip_to_wire), rel=2e-3)
     assert current / n / LENGTH / VOLTS > 1.05 * alone
+
+
+def as_heat(deck, conductivity):
+    """The same wires as insulators that conduct heat, with temperatures in place of potentials, once they overlap."""
+    deck = deck.replace(f"*ELECTRICAL CONDUCTIVITY\n {1 / COPPER.resistivity:.17g}", f"*CONDUCTIVITY\n {conductivity}")
+    deck = deck.replace(
+        "*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ, VOLTAGE=CORRECTED", "*GAP CONDUCTANCE, LAW=CONDUCTIVITY"
+    )
+    before, pressed = deck.split("*STEP")
+    prescribed = pressed[pressed.index("*BOUNDARY") :]
+    temperatures = prescribed.replace(", 9, 9, ", ", 11, 11, ")
+    static = "*STEP" + pressed.replace(prescribed, "*END STEP\n")
+    return before + static + "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n" + temperatures
+
+
+@pytest.mark.parametrize("contacts", ["a stack", "a core"])
+def test_heat_passes_as_the_current_does(run, contacts):
+    """Strips side by side warm each other as they raise each other's potential, where the conductivity is that of 1/rho."""
+    n, core = 6, 1.1e-3
+    distance = core + COPPER.radius - OVERLAP
+    around = [(distance * math.cos(a), distance * math.sin(a)) for a in 2 * np.pi * np.arange(n) / n]
+    step_up = 2 * COPPER.radius - OVERLAP
+    deck = {
+        "a stack": parallel(
+            [(0, 0), (0, step_up), (0, 2 * step_up)], [COPPER.radius] * 3, [(0, 1), (1, 2)], {0: VOLTS, 2: 0.0},
+            "CORRECTED",
+        ),
+        "a core": parallel(
+            [(0, 0), *around], [core] + [COPPER.radius] * n, [(0, i + 1) for i in range(n)],
+            {0: VOLTS, **dict.fromkeys(range(1, n + 1), 0.0)}, "CORRECTED",
+        ),
+    }[contacts]  # fmt: skip
+    current = current_of(solved(run(deck)))
+    results = solved(run(as_heat(deck, 400.0)))
+    entering = results.field("reaction_heat", len(results.times) - 1)
+    assert entering[entering > 0].sum() / 400.0 == pytest.approx(current * COPPER.resistivity, rel=1e-6)
+    # the equations are linear, and the tangent has what the strips do to each other
+    assert results.status["iterations"][-1] <= 2
