@@ -21,20 +21,20 @@ contains
       real(dp), intent(in) :: xi(:), current(:)
       !> (n) [V], [K]
       real(dp), intent(out) :: rise(:)
-      real(dp), dimension(2, size(xi)) :: factor, unused
-      real(dp) :: moment
+      real(dp) :: factor(2), unused(2), moment
       integer :: i
 
-      call find_factors(w2, xi, factor, unused)
       moment = 0
       do i = 1, size(xi)
-         moment = moment + factor(2, i)*current(i)
-         rise(i) = scale*factor(1, i)*moment
+         call find_factors(w2, xi(i), factor, unused)
+         moment = moment + factor(2)*current(i)
+         rise(i) = scale*factor(1)*moment
       end do
       moment = 0
       do i = size(xi), 1, -1
-         rise(i) = rise(i) + scale*factor(2, i)*moment
-         moment = moment + factor(1, i)*current(i)
+         call find_factors(w2, xi(i), factor, unused)
+         rise(i) = rise(i) + scale*factor(2)*moment
+         moment = moment + factor(1)*current(i)
       end do
       if (w2 > 0) rise = fin_growth(w2)*rise
    end subroutine potential_rise
@@ -47,50 +47,43 @@ contains
       real(dp), intent(in) :: xi(:), dxi(:), current(:)
       !> (n) [V], [K]
       real(dp), intent(out) :: rise(:)
-      real(dp), dimension(2, size(xi)) :: factor, slope
-      real(dp) :: moment, moved
+      real(dp) :: factor(2), slope(2), moment, moved
       integer :: i
 
-      call find_factors(w2, xi, factor, slope)
       moment = 0
       moved = 0
       do i = 1, size(xi)
-         moment = moment + factor(2, i)*current(i)
-         moved = moved + slope(2, i)*dxi(i)*current(i)
-         rise(i) = scale*(factor(1, i)*moved + slope(1, i)*dxi(i)*moment)
+         call find_factors(w2, xi(i), factor, slope)
+         moment = moment + factor(2)*current(i)
+         moved = moved + slope(2)*dxi(i)*current(i)
+         rise(i) = scale*(factor(1)*moved + slope(1)*dxi(i)*moment)
       end do
       moment = 0
       moved = 0
       do i = size(xi), 1, -1
-         rise(i) = rise(i) + scale*(slope(2, i)*dxi(i)*moment + factor(2, i)*moved)
-         moment = moment + factor(1, i)*current(i)
-         moved = moved + slope(1, i)*dxi(i)*current(i)
+         call find_factors(w2, xi(i), factor, slope)
+         rise(i) = rise(i) + scale*(slope(2)*dxi(i)*moment + factor(2)*moved)
+         moment = moment + factor(1)*current(i)
+         moved = moved + slope(1)*dxi(i)*current(i)
       end do
       if (w2 > 0) rise = fin_growth(w2)*rise
    end subroutine moved_rise
 
-   !> `1 - xi` and `1 + xi` (2, n), and their derivatives by the place; under a film what stands for them.
+   !> `1 - xi` and `1 + xi` (2), and their derivatives by the place; under a film what stands for them.
    pure subroutine find_factors(w2, xi, factor, slope)
       !> w^2 of the film; 0: there is none
       real(dp), intent(in) :: w2
-      !> Places (n)
-      real(dp), intent(in) :: xi(:)
-      !> (2, n)
-      real(dp), intent(out) :: factor(:, :), slope(:, :)
-      integer :: i
+      !> Place
+      real(dp), intent(in) :: xi
+      !> (2)
+      real(dp), intent(out) :: factor(2), slope(2)
 
-      if (w2 > 0) then
-         do i = 1, size(xi)
-            call fin_parts(w2, xi(i), factor(:, i), slope(:, i))
-         end do
-         factor = 2*factor
-         slope = 2*slope
-      else
-         factor(1, :) = 1 - xi
-         factor(2, :) = 1 + xi
-         slope(1, :) = -1
-         slope(2, :) = 1
-      end if
+      factor = [1 - xi, 1 + xi]
+      slope = [-1, 1]
+      if (.not. w2 > 0) return
+      call fin_parts(w2, xi, factor, slope)
+      factor = 2*factor
+      slope = 2*slope
    end subroutine find_factors
 
 end module litz_potential_rise
