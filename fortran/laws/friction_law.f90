@@ -66,6 +66,7 @@ contains
 
       softening = 1
       dsoftening = 0
+      direction = 0
       held = start%traction
       dtrial_dforce = dstiffness_dforce*slip
       if (stiffness < start%stiffness) then
@@ -121,8 +122,9 @@ contains
       !> How the part of the slip that is not elastic changes with the normal force [m/N].
       pure real(dp) function dslip_dforce()
 
-         dslip_dforce = (dot_product(direction, dtrial_dforce) - mu - norm2(law%plastic_slip)*dstiffness_dforce) &
-            /stiffness
+         dslip_dforce = 0
+         if (norm2(law%plastic_slip) > 0) dslip_dforce = (dot_product(direction, dtrial_dforce) - mu &
+            - norm2(law%plastic_slip)*dstiffness_dforce)/stiffness
       end function dslip_dforce
 
    end function friction_law
