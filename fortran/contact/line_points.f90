@@ -265,7 +265,7 @@ contains
       point%foot_at_end = foot%status == foot_at_end
       call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
-      if (is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
+      if (is_new .or. (.not. point%is_shared .and. point%gap < 0)) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
       if (has_strip(model, elements, point)) call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, &
          point%kinematics), point)
    end subroutine set_geometry

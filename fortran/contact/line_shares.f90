@@ -304,6 +304,7 @@ contains
          point%deepest = 0
          point%lens_depth = 0
          point%in_lens = .false.
+         point%is_shared = .true.
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
             if (bend > 0) then
@@ -314,11 +315,12 @@ contains
             end if
             ! what is up to twice as far becomes another overlap
             call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
-            if (i > 0) call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, &
-               point)
-            ! the lens is still open
-            if (i == 0 .and. bend > 0) then
-               if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
+            if (i > 0) then
+               call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, point)
+               point%is_shared = contact%points(i)%gap < 0
+            else if (bend > 0) then
+               point%is_shared = -point%gap + tilt**2/(2*bend) > 0
+               if (.not. point%is_shared) point%line_share = 0
             end if
          end if
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
