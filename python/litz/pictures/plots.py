@@ -12,7 +12,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.layout_engine import TightLayoutEngine
 from PIL import Image
 
 from ..base.names import unknown_name
@@ -22,9 +21,11 @@ from ..base.quantities import with_unit
 from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
-from . import cable_charts, charts, friction_charts, network_chart, surface_charts, zone_charts
+from . import cable_charts, charts, friction_charts, network_chart, residual_charts, surface_charts, zone_charts
+from .colours import line_colours
+from .margins import arrange
 from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
-from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, line_colours, render
+from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, render
 
 STYLE = {
     "font.size": 10,
@@ -55,8 +56,8 @@ _PIXEL_FORMATS: dict[str, dict[str, Any]] = {".png": {}, ".webp": {"quality": 88
 _WIRES_BOX = (0.01, 0.13, 0.98, 0.76)
 #: Of what stands at the right of an overview, relative to its width
 _RIGHT_EDGE = 0.99
-#: Space around charts, in sizes of the font and in inches
-_PAD, _INCHES = 0.8, 0.1
+#: Space around a cross-section [inches]
+_INCHES = 0.1
 #: Width that axes keep beside the longest texts, relative to their own
 _LEAST_SHARE = 0.5
 
@@ -201,17 +202,15 @@ def begin_wires(
 
 
 def _save(figure: Figure, path: Path) -> None:
-    """Write a figure; its layout is found once, and not again whenever it is drawn."""
+    """Write a figure, whose layout is found once, and not again whenever it is drawn."""
     canvas = FigureCanvasAgg(figure)
     layout = figure.get_layout_engine()
-    if layout is not None:
+    if layout is None:
+        arrange(figure)
+    else:
         for spine in (spine for axes in figure.axes for spine in axes.spines.values()):
             # the labels reach farther
             spine.set_in_layout(False)
-        if all(axes.get_subplotspec() is not None for axes in figure.axes):
-            # no colour bars: what is measured once is enough, which a rectangle would do twice
-            layout = TightLayoutEngine(pad=_PAD, rect=None)
-            figure.set_layout_engine(layout)
         layout.execute(figure)
         figure.set_layout_engine("none")
     if path.suffix.lower() not in _PIXEL_FORMATS:
@@ -309,7 +308,6 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
 
 def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[float, float]]:
     def make(figure: Figure, results: Results, increment: int, look: Look) -> None:
-        figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
         draw(figure, results, increment)
 
     return make, size
@@ -321,7 +319,6 @@ def _contacts(figure: Figure, results: Results, increment: int) -> None:
 
 
 def _lines(figure: Figure, results: Results, increment: int, look: Look) -> None:
-    figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
     zone_charts.lines(figure, results, increment, look.wire)
 
 
@@ -334,7 +331,7 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     _still(figure, results, increment, look, (0.01, 0.115, 0.61, 0.79))
     figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
     boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
-    drawers = [charts.residual_of_last_increment]
+    drawers = [residual_charts.residual_of_last_increment]
     contacts, lines = results.contacts, has_lines(results)
     if results.rigid_surfaces:
         drawers.append(surface_charts.surface_forces_over_time)
@@ -377,7 +374,7 @@ _KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[floa
     "overview": (_overview, (15.0, 8.5)),
     "wires": (_wires, (10.0, 7.0)),
     "resistance": _chart(charts.resistance, (7.5, 5.5)),
-    "residuals": _chart(charts.residuals, (8.0, 7.5)),
+    "residuals": _chart(residual_charts.residuals, (8.0, 7.5)),
     "contacts": _chart(_contacts, (10.0, 7.0)),
     "lines": (_lines, (9.0, 4.0)),
     "currents": _chart(charts.currents, (10.0, 7.0)),
