@@ -114,7 +114,7 @@ class TestPictures:
             litz.plot(results, "wires", field="potentials")
 
     def test_every_kind_is_documented(self):
-        assert set(plots.KINDS) == set(KINDS)
+        assert set(plots.KINDS) == set(plots._DRAWERS) == set(KINDS)
         for kind in KINDS:
             assert f'"{kind}"' in litz.plot.__doc__
 

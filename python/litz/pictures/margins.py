@@ -24,8 +24,10 @@ _PAD = 8.0
 _POINTS_PER_INCH = 72.0
 # Height of a line of text, in sizes of the font
 _LINE = 1.17
+# What letters are wider than drawn to scale, as they begin and end with pixels
+_HINTED = 1.05
 # At least for the axes, of the width and the height of a figure
-_LEAST_SHARE = 0.4
+_LEAST_SHARE = 0.3
 # Of a scale of colours: width in points, and between it and what is at its left
 _BAR, _BESIDE_BAR = 11.0, 10.0
 _BAR_NAME = "scale of colours"
@@ -33,7 +35,7 @@ _BAR_NAME = "scale of colours"
 
 def text_width(text: str, size: float, *, bold: bool = False) -> float:
     """Width of the longest line of a text in a size of the font [points]."""
-    return size * max(sum(_advance(letter, bold) for letter in line) for line in text.split("\n"))
+    return _HINTED * size * max(sum(_advance(letter, bold) for letter in line) for line in text.split("\n"))
 
 
 @cache

@@ -23,6 +23,7 @@ from ..results import Results
 from ..results.contact_history import has_lines
 from . import cable_charts, charts, friction_charts, network_chart, residual_charts, surface_charts, zone_charts
 from .colours import line_colours
+from .kinds import INCHES, KINDS
 from .margins import arrange
 from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, render
@@ -159,8 +160,8 @@ def plot(
     Path
         The picture, which a notebook shows.
     """
-    if kind not in _KINDS:
-        raise ValueError(unknown_name("kind of plot", kind, _KINDS))
+    if kind not in KINDS:
+        raise ValueError(unknown_name("kind of plot", kind, KINDS))
     look = Look(field, scale, spots, reference, view, wire, place)
     results = with_increments(results)
     if wire is not None and not 0 <= wire < len(results.wires):
@@ -168,10 +169,9 @@ def plot(
     path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
     if not path.suffix:
         path = Picture(f"{path}.png")
-    draw, default_size = _KINDS[kind]
     with results.kept_open(), mpl.rc_context(STYLE):
-        figure = new_figure(default_size, size)
-        draw(figure, results, increment, look)
+        figure = new_figure(INCHES[kind], size)
+        _DRAWERS[kind](figure, results, increment, look)
         with writing(path):
             _save(figure, path)
     return path
@@ -185,7 +185,7 @@ def begin_wires(
     VTK draws beside what this process does until it calls what is returned, which writes the pictures.
     """
     with results.kept_open(), mpl.rc_context(STYLE):
-        figures = [new_figure(_KINDS["wires"][1], size) for _ in fields]
+        figures = [new_figure(INCHES["wires"], size) for _ in fields]
         scenes = [Look(field).scenes(results, [-1]).scene(-1) for field in fields]
         pixels = box_pixels(figures[0], _WIRES_BOX)
         camera = _camera(scenes[0], pixels, Look())
@@ -306,11 +306,11 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     )
 
 
-def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[float, float]]:
+def _chart(draw: Callable) -> Callable:
     def make(figure: Figure, results: Results, increment: int, look: Look) -> None:
         draw(figure, results, increment)
 
-    return make, size
+    return make
 
 
 def _contacts(figure: Figure, results: Results, increment: int) -> None:
@@ -370,21 +370,18 @@ def _narrow(figure: Figure, drawn: list[Axes]) -> None:
         axes.set_position((left + share * (box.x0 - left), box.y0, share * box.width, box.height))
 
 
-_KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[float, float]]] = {
-    "overview": (_overview, (15.0, 8.5)),
-    "wires": (_wires, (10.0, 7.0)),
-    "resistance": _chart(charts.resistance, (7.5, 5.5)),
-    "residuals": _chart(residual_charts.residuals, (8.0, 7.5)),
-    "contacts": _chart(_contacts, (10.0, 7.0)),
-    "lines": (_lines, (9.0, 4.0)),
-    "currents": _chart(charts.currents, (10.0, 7.0)),
-    "shares": _chart(cable_charts.shares, (9.0, 6.5)),
-    "section": (_section, (8.0, 7.0)),
-    "network": _chart(network_chart.network, (9.0, 7.0)),
-    "friction": _chart(friction_charts.friction, (8.0, 7.0)),
-    "surfaces": _chart(surface_charts.surfaces, (8.0, 7.0)),
-    "history": _chart(charts.history, (8.0, 4.0)),
+_DRAWERS: dict[str, Callable[[Figure, Results, int, Look], None]] = {
+    "overview": _overview,
+    "wires": _wires,
+    "resistance": _chart(charts.resistance),
+    "residuals": _chart(residual_charts.residuals),
+    "contacts": _chart(_contacts),
+    "lines": _lines,
+    "currents": _chart(charts.currents),
+    "shares": _chart(cable_charts.shares),
+    "section": _section,
+    "network": _chart(network_chart.network),
+    "friction": _chart(friction_charts.friction),
+    "surfaces": _chart(surface_charts.surfaces),
+    "history": _chart(charts.history),
 }
-#: Kinds of pictures, and their widths and heights
-KINDS = tuple(_KINDS)
-KINDS_IN_INCHES = {kind: size for kind, (_, size) in _KINDS.items()}

@@ -12,7 +12,8 @@ from pathlib import Path
 from PIL import Image
 
 from ..pictures.friction_charts import has_friction
-from ..pictures.plots import KINDS_IN_INCHES, begin_wires, plot
+from ..pictures.kinds import INCHES
+from ..pictures.plots import begin_wires, plot
 from ..results import Results
 from ..results.contact_history import has_lines
 from ..results.scalars import default_scalar
@@ -136,5 +137,5 @@ def _figure(picture: Path, text: str) -> str:
 
 def _size(kind: str) -> tuple[int, int]:
     """Width and height of a chart [pixels]."""
-    width, height = KINDS_IN_INCHES[kind]
+    width, height = INCHES[kind]
     return round(_PIXELS_PER_INCH * width), round(_PIXELS_PER_INCH * height)
