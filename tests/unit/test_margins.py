@@ -46,7 +46,9 @@ def check_apart(figure, charts):
         assert one.x1 <= other.x0 or other.x1 <= one.x0 or one.y1 <= other.y0 or other.y1 <= one.y0
 
 
-@pytest.mark.parametrize("text", ["−0.0125", "force per length [N/m]", "10⁻¹²", "WWWW", "first line\nthe longer second line"])
+@pytest.mark.parametrize(
+    "text", ["−0.0125", "force per length [N/m]", "10⁻¹²", "WWWW", "first line\nthe longer second line"]
+)
 @pytest.mark.parametrize("bold", [False, True])
 def test_the_width_of_a_text_is_what_is_drawn(figure, text, bold):
     drawn = figure.text(0.1, 0.5, text, fontsize=30, fontweight="bold" if bold else "normal")
