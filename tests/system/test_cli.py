@@ -124,15 +124,15 @@ def test_currents_that_have_ended_have_no_heat(tmp_path):
 
 
 def test_the_file_of_contacts_is_not_taken_for_the_results(run_of_input, tmp_path):
-    path = run_of_input("01_crossed_wires")
-    beside = path.with_name("01_crossed_wires_contacts.vtkhdf")
+    directory = run_of_input("01_crossed_wires")
+    beside = directory / "01_crossed_wires_contacts.vtkhdf"
     with pytest.raises(
         litz.FileError, match=r"_contacts.vtkhdf has the contacts of a run .* in .*01_crossed_wires.vtkhdf"
     ):
         litz.Results(beside)
     # a run may have such a name
     for name in ("wires", "wires_contacts"):
-        for file in path.parent.glob("01_crossed_wires.*"):
+        for file in directory.glob("01_crossed_wires.*"):
             (tmp_path / f"{name}{file.suffix}").write_bytes(file.read_bytes())
     assert litz.Results(tmp_path / "wires_contacts.vtkhdf").finished
 
