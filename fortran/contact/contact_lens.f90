@@ -262,6 +262,12 @@ contains
          bend = square_of_sine
          if (.not. any(point%held .and. .not. point%at_end)) bend = merge(point%kinematics%distance*point%bend &
             + point%tilt**2, bend, point%held)
+         ! along the other wire, which may end near by, the same lens is as curved: b2 = c2 - gamma^2/c1 with c2 = 1
+         if (count(point%held) == 1 .and. .not. any(point%held .and. .not. point%at_end)) then
+            associate (own => max(0.0_dp, sum(bend, mask=point%held)))
+               bend = merge(bend, own/max(own + cosine**2, tiny(own)), point%held)
+            end associate
+         end if
       else
          associate (m_inverse => point%kinematics%between_q)
             bend = 1/([m_inverse(2, 2), m_inverse(1, 1)]*point%kinematics%squares([2, 1]))

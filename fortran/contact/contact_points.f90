@@ -151,8 +151,9 @@ module litz_contact_points
       !> Force of the whole contact, whatever its share: of a crossing [N], of a place of a line per length [N/m], where
       !> a spot is remembered of which it carries nothing
       real(dp) :: whole_force = 0
-      !> These shares have been found: within an iteration they stay
-      logical :: is_shared = .false.
+      !> Overlap of the lens at which these shares have been found [m]: as long as it grows little within an iteration
+      !> they stay; 0: nothing overlapped yet
+      real(dp) :: shared_overlap = 0
       !> Of a point of a line contact: it lies in the lens of a crossing
       logical :: in_lens = .false.
       !> Of a point of a line contact: its foot is held at the end of a wire
@@ -426,7 +427,7 @@ contains
       type(contact_point_t), intent(in) :: earlier
       type(contact_point_t), intent(inout) :: point
 
-      point%is_shared = earlier%is_shared
+      point%shared_overlap = earlier%shared_overlap
       point%long_share = earlier%long_share
       point%weight = earlier%weight
       point%line_share = earlier%line_share

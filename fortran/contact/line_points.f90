@@ -17,7 +17,7 @@ module litz_line_points
    use litz_line_feet, only: foot_t, find_feet, is_same_foot
    use litz_line_foot, only: foot_at_end
    use litz_line_kinematics, only: line_kinematics, line_course_t, line_course
-   use litz_line_shares, only: share_line_point
+   use litz_line_shares, only: share_line_point, has_grown
    use litz_model, only: model_t
    use litz_line_laps, only: slide_along_lap
    use litz_parallel, only: worth_threads
@@ -265,7 +265,7 @@ contains
       point%foot_at_end = foot%status == foot_at_end
       call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
-      if (is_new) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
+      if (is_new .or. has_grown(point)) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
       if (has_strip(model, elements, point)) call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, &
          point%kinematics), point)
    end subroutine set_geometry

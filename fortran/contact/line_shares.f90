@@ -30,10 +30,12 @@ module litz_line_shares
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: share_crossings, share_line_point, renew_shares
+   public :: share_crossings, share_line_point, has_grown, renew_shares
 
    !> q below which places have no clear foot, and from which on they have (theory section 10)
    real(dp), parameter :: least_quality = 0.25_dp, good_quality = 0.5_dp
+   !> Shares that were found at less than this part of an overlap tell nothing of it: it is twice as long
+   real(dp), parameter :: telling = 0.25_dp
    !> Less than this leads nowhere
    real(dp), parameter :: least_tilt = 1.0e-9_dp
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
@@ -79,9 +81,8 @@ contains
          associate (point => contact%points(i))
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
-               if ((point%gap < 0 .or. law%is_per_length_only()) .and. .not. point%is_shared) then
-                  call share_crossing(law, wires, elements, contact, by_place, point)
-               end if
+               if (has_grown(point) .or. (law%is_per_length_only() .and. .not. point%shared_overlap > 0)) &
+                  call reshare_crossing(law, wires, elements, contact, by_place, point)
             end associate
             call blend_angle_of_lens(point)
          end associate
@@ -119,6 +120,28 @@ contains
       point%law_angle = asin(min(1.0_dp, point%law_sine))
    end subroutine blend_angle_of_lens
 
+   !> What has been found of an overlap was that of one so much shorter that it tells nothing of it.
+   pure logical function has_grown(point)
+      type(contact_point_t), intent(in) :: point
+
+      has_grown = point%gap < 0 .and. point%shared_overlap < -telling*point%gap
+   end function has_grown
+
+   !> What a crossing carries, with its force in proportion.
+   subroutine reshare_crossing(law, wires, elements, contact, by_place, point)
+      type(normal_law_t), intent(in) :: law
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_set_t), intent(in) :: contact
+      type(points_by_place_t), intent(in) :: by_place
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: before
+
+      before = point%weight
+      call share_crossing(law, wires, elements, contact, by_place, point)
+      if (before > 0) point%mixed_force = point%mixed_force*(point%weight/before)
+   end subroutine reshare_crossing
+
    !> What a crossing carries. Its law sees the angle of the axes; at small angles and along long lenses it sees that of
    !> straight wires with as long a lens.
    subroutine share_crossing(law, wires, elements, contact, by_place, point)
@@ -133,7 +156,8 @@ contains
 
       ! an iterate in which the wires have passed each other tells nothing
       if (.not. point%kinematics%distance > 0) return
-      point%is_shared = point%gap >= 0 .or. tells_shares(point)
+      point%shared_overlap = huge(radius)
+      if (point%gap < 0) point%shared_overlap = merge(-point%gap, 0.0_dp, tells_shares(point))
       point%weight = 0
       point%lens_quality = 0
       if (.not. has_lens(point)) return
@@ -228,7 +252,7 @@ contains
             call divide_at_ends(wires, elements, point)
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
-               if (point%is_shared) call share_crossing(law, wires, elements, contact, by_place, point)
+               if (point%shared_overlap > 0) call share_crossing(law, wires, elements, contact, by_place, point)
                if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
                ! the iteration goes on from the overlap that it has come to
                if (earlier%weight > 0) point%mixed_force = point%mixed_force*(point%weight/earlier%weight)
@@ -304,6 +328,7 @@ contains
          point%deepest = 0
          point%lens_depth = 0
          point%in_lens = .false.
+         point%shared_overlap = huge(d)
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
             if (bend > 0) then
@@ -314,11 +339,14 @@ contains
             end if
             ! what is up to twice as far becomes another overlap
             call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
-            if (i > 0) call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, &
-               point)
-            ! the lens is still open
-            if (i == 0 .and. bend > 0) then
-               if (-point%gap + tilt**2/(2*bend) <= 0) point%line_share = 0
+            if (i > 0) then
+               call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, point)
+               if (point%line_share < 1) point%shared_overlap = max(0.0_dp, -contact%points(i)%gap)
+            else if (bend > 0) then
+               if (-point%gap + tilt**2/(2*bend) <= 0) then
+                  point%line_share = 0
+                  point%shared_overlap = 0
+               end if
             end if
          end if
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))

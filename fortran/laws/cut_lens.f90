@@ -7,7 +7,8 @@
 !> feet on
 !> the other wire this is a parabola of the half length aW, which an end at `y = a` cuts: the cylinder keeps the part
 !> `E(u)`, `u = a/aW`, of the energy, the end gets `1 - E(u)` of that of a sphere. All follows from an energy, so that
-!> forces across the wires and along them are its derivatives.
+!> forces across the wires and along them are its derivatives. Of wires that are bent, y1^2 and y2^2 have factors c1, c2
+!> with the curvatures `b1 = c1 - gamma^2/c2`, `b2 = c2 - gamma^2/c1` over the feet, times d.
 module litz_cut_lens
    use litz_kinds, only: dp, pi
    use litz_jets, only: jet_t, variable, constant, composed, operator(+), operator(-), operator(*), operator(**)
@@ -106,17 +107,19 @@ contains
       type(jet_t) :: pair(2, 2)
       type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
       type(jet_t) :: of_cylinders
+      real(dp) :: root(2)
       integer :: i
 
       delta = variable(overlap, 1)
       call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, &
          corner)
+      root = sqrt(curvatures_of(lens)/(2*lens%distance))
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
          cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
-         over_foot(i) = energy_to(sqrt(1/(2*lens%distance))*foot(i), corner)
+         over_foot(i) = energy_to(root(i)*foot(i), corner)
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
          cylinder(i) = flat*cylinder(i)
@@ -124,7 +127,7 @@ contains
       end do
       both = of_both(cylinder, lens%cosine)
       of_cylinders = constant(1.0_dp)
-      if (all(lens%near)) of_cylinders = left_by_ends(sqrt(1/(2*lens%distance)), foot, corner)
+      if (all(lens%near)) of_cylinders = left_by_ends(root, foot, corner)
       both = of_cylinders*both
       scale = delta**(-energy_power)
       pair(1, 1) = both*energy_of(middle)*scale
@@ -160,40 +163,54 @@ contains
       !> From the nearest place of both axes to the ends, from the foot of either end to that of the other wire (2),
       !> overlap in that place, at the ends over their feet (2), and of end over end
       type(jet_t), intent(out) :: a(2), foot(2), middle, at_end(2), corner
+      real(dp) :: c(2), k_foot(2)
       integer :: i
 
-      associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance), k_foot => 1/(2*lens%distance))
+      c = curvatures_of(lens)
+      k_foot = c/(2*lens%distance)
+      associate (gamma => lens%cosine, k => lens%bend/(2*lens%distance))
          if (all(held)) then
-            foot = place
             do i = 1, 2
-               a(i) = (1/lens%bend(i))*(foot(i) + gamma*foot(3 - i))
-               at_end(i) = delta + k_foot*foot(3 - i)*foot(3 - i)
+               foot(i) = (1/c(i))*place(i)
+               a(i) = (1/lens%bend(i))*(place(i) + (gamma/c(3 - i))*place(3 - i))
+            end do
+            do i = 1, 2
+               at_end(i) = delta + k_foot(3 - i)*foot(3 - i)*foot(3 - i)
             end do
             corner = delta
             middle = at_end(1) + k(1)*a(1)*a(1)
-            return
          else if (any(held)) then
             associate (own => merge(1, 2, held(1)))
                a(own) = (1/lens%bend(own))*place(own)
                foot(3 - own) = place(3 - own)
-               a(3 - own) = place(3 - own) + gamma*a(own)
-               foot(own) = a(own) - gamma*a(3 - own)
+               a(3 - own) = place(3 - own) + (gamma/c(3 - own))*a(own)
+               foot(own) = (1/c(own))*(place(own) - gamma*place(3 - own))
                at_end(own) = delta
                middle = delta + k(own)*a(own)*a(own)
                at_end(3 - own) = middle - k(3 - own)*a(3 - own)*a(3 - own)
-               corner = delta - k_foot*foot(3 - own)*foot(3 - own)
+               corner = delta - k_foot(3 - own)*foot(3 - own)*foot(3 - own)
             end associate
          else
             a = place
             middle = delta
             do i = 1, 2
                at_end(i) = middle - k(i)*a(i)*a(i)
-               foot(i) = a(i) - gamma*a(3 - i)
+               foot(i) = a(i) - (gamma/c(i))*a(3 - i)
             end do
-            corner = at_end(1) - k_foot*foot(2)*foot(2)
+            corner = at_end(1) - k_foot(2)*foot(2)*foot(2)
          end if
       end associate
    end subroutine find_overlaps
+
+   !> c1 and c2, of straight wires 1 (2) [-].
+   pure function curvatures_of(lens) result(c)
+      type(cut_lens_t), intent(in) :: lens
+      real(dp) :: c(2)
+
+      associate (b => lens%bend)
+         c = (b + sqrt(b**2 + 4*lens%cosine**2*b/b([2, 1])))/2
+      end associate
+   end function curvatures_of
 
    !> Energy of an overlap but for a factor; 0 where there is none.
    pure type(jet_t) function energy_of(overlap) result(energy)
@@ -257,8 +274,8 @@ contains
    !> both feet are beyond the ends, nothing overlaps as much as these do: with that overlap what cylinders have goes to
    !> zero, faster than the energy of two round ends.
    pure type(jet_t) function left_by_ends(scale, foot, corner) result(part)
-      !> `sqrt(1/(2 d))` [m^(-1/2)]
-      real(dp), intent(in) :: scale
+      !> `sqrt(c/(2 d))` (2) [m^(-1/2)]
+      real(dp), intent(in) :: scale(2)
       !> From the feet of the ends to those of the other wire (2), overlap of end over end
       type(jet_t), intent(in) :: foot(2), corner
       type(jet_t) :: x, rest(2)
@@ -267,7 +284,7 @@ contains
       part = constant(1.0_dp)
       if (.not. (all(foot%value < 0) .and. corner%value > 0)) return
       do i = 1, 2
-         x = scale*foot(i)
+         x = scale(i)*foot(i)
          rest(i) = fall_of(x*(corner + x*x)**(-0.5_dp))
       end do
       part = rest(1) + rest(2) - rest(1)*rest(2)

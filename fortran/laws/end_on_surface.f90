@@ -10,7 +10,7 @@ module litz_end_on_surface
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse
    use litz_jets, only: jet_t, constant, composed, operator(+), operator(-), operator(*), operator(**)
    use litz_kinds, only: dp, pi
-   use litz_lens_law, only: share_of_point, curvature_of_share, line_from
+   use litz_lens_law, only: smooth_step, point_up_to, line_from
    use litz_line_law, only: line_wires_t, line_force_t, line_force
    use litz_rigid_line, only: rigid
    use litz_yielding_spot, only: yielding_t, yielding_crossing
@@ -99,20 +99,16 @@ contains
       !> What of the law per length it takes the place of [J]
       real(dp), intent(out) :: of_line
       type(jet_t) :: square, length, share, inside, v, steepness, line, beside
-      real(dp) :: w, dw
 
       energy = constant(0.0_dp)
       of_line = 0
       square = slope*slope + 2*bend_away(end)*overlap
       if (.not. square%value > 0) return
       length = slope + square**0.5_dp
-      associate (spacing => spacing_of_end(end))
-         if (.not. length%value > overlap%value/(line_from*spacing)) return
-         length = 2.0_dp*overlap*length**(-1.0_dp)                                         ! L
-         call share_of_point(length%value, spacing, w, dw)
-         if (.not. w > 0) return
-         share = composed(length, w, dw, curvature_of_share(length%value, spacing))
-      end associate
+      if (.not. length%value > 0) return
+      share = share_of_end(end, 0.5_dp*length*overlap**(-1.0_dp))
+      if (.not. share%value > 0) return
+      length = 2.0_dp*overlap*length**(-1.0_dp)                                            ! L
       v = sqrt(end%sphere)*slope*overlap**(-0.5_dp)
       inside = part_inside(v)
       energy = share*whole*(end%part - inside)
@@ -129,6 +125,21 @@ contains
       energy = energy + share*steepness*(whole*inside + beside - line)
       of_line = share%value*steepness%value*line%value
    end subroutine end_energy
+
+   !> What of the contact is carried by the end: by the inverse of the length of the overlap, which goes with the slope.
+   !> By the length itself it would change so fast with the slope that wires snap off.
+   pure type(jet_t) function share_of_end(end, inverse) result(share)
+      type(wire_end_t), intent(in) :: end
+      !> 1/L, positive [1/m]
+      type(jet_t), intent(in) :: inverse
+      real(dp) :: u, rate
+
+      associate (least => 1/(line_from*spacing_of_end(end)), most => 1/(point_up_to*spacing_of_end(end)))
+         rate = 1/(most - least)
+         u = max(0.0_dp, min(1.0_dp, (inverse%value - least)*rate))
+      end associate
+      share = composed(inverse, smooth_step(u), 6*u*(1 - u)*rate, merge(6*(1 - 2*u)*rate**2, 0.0_dp, u > 0 .and. u < 1))
+   end function share_of_end
 
    !> Part of the sphere's lens that is on the side of the cylinder, beyond where the sphere ends: `E(-v/sqrt(2))`.
    pure type(jet_t) function part_inside(v) result(part)

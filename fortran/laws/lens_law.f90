@@ -12,7 +12,7 @@ module litz_lens_law
    private
    public :: lens_integral, n_depths, gauss_depth, gauss_weight
    public :: lens_t, lens_force, kept_lens, lens_spot_t, lens_spot, lens_energy, grown_energy, share_of_point, &
-      curvature_of_share, share_of_ends, share_of_line, slope_of_line_share, smooth_step
+      share_of_ends, share_of_line, slope_of_line_share, smooth_step
 
    integer, parameter :: n_depths = 2
    !> `1 - u^2` of the Gauss points, and twice their weights
@@ -222,17 +222,6 @@ contains
       weight = smooth_step(u)
       dweight_dhalf_length = -6*u*(1 - u)/((line_from - point_up_to)*spacing)
    end subroutine share_of_point
-
-   !> Second derivative of this share with respect to aW [1/m^2].
-   pure real(dp) function curvature_of_share(half_length, spacing) result(curvature)
-      !> aW, and distance of neighbouring line points [m]
-      real(dp), intent(in) :: half_length, spacing
-      real(dp) :: u
-
-      u = (line_from - half_length/spacing)/(line_from - point_up_to)
-      curvature = 0
-      if (u > 0 .and. u < 1) curvature = 6*(1 - 2*u)/((line_from - point_up_to)*spacing)**2
-   end function curvature_of_share
 
    !> What round ends carry of a contact beside the places along its line: all that these leave, and the whole of what
    !> is too short for them.

@@ -207,7 +207,7 @@ contains
          else
             line = line//' with '//model%element_sets(pair%set)%name//': '
          end if
-         line = line//describe_interaction(model%interactions(pair%interaction), model%units)
+         line = line//describe_interaction(model%interactions(pair%interaction), model%units, between_wires=.true.)
          if (pair%interference_fit) line = line//', interference fit'
       end associate
       line = line//nl
@@ -222,13 +222,15 @@ contains
       associate (pair => model%surface_pairs(p))
          line = 'contact pair '//model%element_sets(pair%set)%name//' with the rigid surface '// &
             model%surfaces(pair%surface)%name//': '// &
-            describe_interaction(model%interactions(pair%interaction), model%units)//nl
+            describe_interaction(model%interactions(pair%interaction), model%units, between_wires=.false.)//nl
       end associate
    end function surface_pair_line
 
-   pure function describe_interaction(interaction, units) result(words)
+   pure function describe_interaction(interaction, units, between_wires) result(words)
       type(interaction_t), intent(in) :: interaction
       type(unit_labels_t), intent(in) :: units
+      !> Of a pair of wires: a rigid surface has one potential, which nothing corrects
+      logical, intent(in) :: between_wires
       character(len=:), allocatable :: words
 
       words = interaction%name//', '//trim(merge('Hermite', 'linear ', interaction%axis == axis_hermite))//' axis, '
@@ -240,19 +242,26 @@ contains
       if (interaction%friction > 0) words = words//describe_friction(interaction, units)
       if (interaction%unlimited_penetration) words = words//', unlimited penetration'
       if (interaction%spot%exists()) then
-         words = words//', spot '//trim(interaction%spot%name)//describe_spot_data(interaction%spot, units)
-         if (interaction%spot%is_per_length) words = words//' per length'
+         words = words//', spot '//trim(interaction%spot%name)//describe_spot_data( &
+            interaction%spot, interaction%spot%is_per_length, units)
          if (interaction%spot_memory) words = words//' of the largest force'
-         words = words//', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
-         if (interaction%mutual_resistance) words = words//', mutual resistances'
-         if (interaction%supertemperature) words = words//', warmed by its current'
+         if (between_wires) words = words//describe_transfer(interaction)
       else
          words = words//', no current'
       end if
       if (interaction%heat%exists()) words = words//', heat '//trim(interaction%heat%name)// &
-         describe_spot_data(interaction%heat, units)
-      if (interaction%heat%is_per_length) words = words//' per length'
+         describe_spot_data(interaction%heat, interaction%heat%is_per_length, units)
    end function describe_interaction
+
+   !> What happens where current passes from wire to wire.
+   pure function describe_transfer(interaction) result(words)
+      type(interaction_t), intent(in) :: interaction
+      character(len=:), allocatable :: words
+
+      words = ', '//trim(merge('corrected', 'linear   ', interaction%voltage_correction))//' voltage'
+      if (interaction%mutual_resistance) words = words//', mutual resistances'
+      if (interaction%supertemperature) words = words//', warmed by its current'
+   end function describe_transfer
 
    !> `name value unit` of each number of a normal law.
    pure function describe_normal_data(law, units) result(words)
@@ -272,21 +281,28 @@ contains
    end function describe_normal_data
 
    !> ` with name = value unit` for each number of a spot law, or how many points its table has.
-   pure function describe_spot_data(law, units) result(words)
+   pure function describe_spot_data(law, per_length, units) result(words)
       class(law_words_t), intent(in) :: law
+      !> PER=LENGTH
+      logical, intent(in) :: per_length
       type(unit_labels_t), intent(in) :: units
-      character(len=:), allocatable :: words
+      character(len=:), allocatable :: words, unit
       integer :: i
 
       words = ''
       if (law%has_table) then
          words = ' of '//plural(size(law%table, 2), 'point')
+         if (per_length) words = words//' per length'
          return
       end if
       do i = 1, law%n_fields()
          associate (field => law%fields(i))
             words = words//trim(merge(' with', ' and ', i == 1))//' '
-            words = words//trim(field%name)//' = '//describe_value(law%data(i), field%unit, units)
+            unit = trim(field%unit)
+            ! a resistance times length, and a heat conductance per length
+            if (per_length .and. unit == 'ohm') unit = 'ohm m'
+            if (per_length .and. unit == 'W/K') unit = 'W/(m K)'
+            words = words//trim(field%name)//' = '//describe_value(law%data(i), unit, units)
          end associate
       end do
    end function describe_spot_data

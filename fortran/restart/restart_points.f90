@@ -78,7 +78,7 @@ contains
       call table%field('line_share', point%line_share)
       call table%field('reach_back', point%cell%reach(1))
       call table%field('reach_on', point%cell%reach(2))
-      call table%field('is_shared', point%is_shared)
+      call table%field('shared_overlap', point%shared_overlap)
       call table%field('long_share', point%long_share)
       call table%field('section_share', point%section_share)
       call table%field('in_lens', point%in_lens)

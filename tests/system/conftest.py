@@ -91,7 +91,7 @@ def report_of_grid(run_of_input, made_once):
 def reports_without_pictures(monkeypatch):
     """In place of its pictures, which take most of its time, a report has the texts below them."""
 
-    report = importlib.import_module("litz.reports.report")
+    report = importlib.import_module("litz.reports.report_pictures")
     monkeypatch.setattr(report, "plot", lambda results, kind, filename, **options: filename)
     monkeypatch.setattr(report, "begin_wires", lambda results, fields, paths, size: lambda: None)
     monkeypatch.setattr(report, "_make_smaller", lambda pictures, room: None)

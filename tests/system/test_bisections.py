@@ -69,9 +69,8 @@ def test_what_falls_with_the_parameter_and_negative_numbers_are_found_too():
 @pytest.mark.parametrize(
     ("between", "message"),
     [
-        ((1.0, 2.0), "not reached at x = 1 and not reached at 2"),
-        ((4.0, 5.0), "reached at x = 4 and reached at 5"),
-        ((4.0, 1.0), "reached at x = 4 and not reached at 1"),
+        ((1.0, 2.0), "is not reached at x = 1 and at 2"),
+        ((4.0, 5.0), "is reached at x = 4 and at 5"),
         ((1.0, 1.0), "two different numbers"),
         ((1.0, float("nan")), "two different numbers"),
     ],
@@ -79,6 +78,24 @@ def test_what_falls_with_the_parameter_and_negative_numbers_are_found_too():
 def test_ends_that_do_not_differ_are_refused(between, message):
     with pytest.raises(ValueError, match=message):
         litz.bisect(lambda x: x, "x", between, lambda y: y > 3.0, directory=None)
+
+
+@pytest.mark.parametrize("between", [(1.0, 8.0), (8.0, 1.0)])
+def test_the_ends_may_be_given_in_any_order(between):
+    found = litz.bisect(lambda x: x, "x", between, lambda y: y > 3.0, directory=None, tolerance=1e-6)
+    assert found.below < found.above
+    assert found.value == pytest.approx(3.0, rel=1e-6)
+
+
+def test_a_change_at_zero_is_found_to_a_millionth_of_the_range():
+    found = litz.bisect(lambda x: x, "x", (-1e-4, 1e-4), lambda y: y > 0, directory=None)
+    assert abs(found.value) < 1e-10
+    assert found.runs < 25
+
+
+def test_a_function_that_has_no_such_parameter_is_told_before_any_run():
+    with pytest.raises(TypeError, match=r"cannot be called with the parameters y: missing a required argument: 'x'"):
+        litz.bisect(lambda x: x, "y", (1.0, 4.0), lambda y: y > 3.0, directory=None)
 
 
 def test_a_tolerance_of_nothing_is_refused():

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+import litz
 from litz import cli
 
 ENTRY = [sys.executable, "-c", "import sys; from litz.cli import main; sys.exit(main())"]
@@ -95,6 +96,45 @@ def test_summary_of_a_run(run_of_input):
     shown = command("summary", directory)
     assert shown.returncode == 0, shown.stderr
     assert "exact electro-mechanical solution" in shown.stdout
+
+
+def test_what_is_round_off_is_no_result(run_of_input):
+    """The wires are back where they were, to some 1e-18 m, and no current flows any more."""
+    text = litz.Results(run_of_input("23_dented_wires")).summary()
+    assert re.search(r"largest displacement +0 m\n", text)
+
+
+def test_currents_that_have_ended_have_no_heat(tmp_path):
+    model = litz.Model("two crossed wires")
+    lower = model.wire("LOWER", (-0.05, 0, 0), (0.05, 0, 0), radius=1e-3, material=litz.COPPER, elements=9)
+    upper = model.wire("UPPER", (0, -0.05, 2e-3), (0, 0.05, 2e-3), radius=1e-3, material=litz.COPPER, elements=9)
+    model.contact(lower, upper, conductance=litz.HertzSpot())
+    model.fix(lower.ends)
+    model.fix(upper.ends, "x", "y", "rotations")
+    for height, voltage in ((-1e-4, 1e-3), (0.0, 0.0)):
+        step = model.step(increment=0.5)
+        step.move(upper.ends, "z", height)
+        step.potential(lower.start, voltage)
+        step.potential(upper.start, 0)
+    results = model.run(tmp_path)
+    assert 0 < results.field("joule_heat").sum() < 1e-25, "there is no round-off to leave out"
+    text = results.summary()
+    assert re.search(r"potential +0 V +to 0 V\n", text)
+    assert "Joule heat" not in text
+
+
+def test_the_file_of_contacts_is_not_taken_for_the_results(run_of_input, tmp_path):
+    directory = run_of_input("01_crossed_wires")
+    beside = directory / "01_crossed_wires_contacts.vtkhdf"
+    with pytest.raises(
+        litz.FileError, match=r"_contacts.vtkhdf has the contacts of a run .* in .*01_crossed_wires.vtkhdf"
+    ):
+        litz.Results(beside)
+    # a run may have such a name
+    for name in ("wires", "wires_contacts"):
+        for file in directory.glob("01_crossed_wires.*"):
+            (tmp_path / f"{name}{file.suffix}").write_bytes(file.read_bytes())
+    assert litz.Results(tmp_path / "wires_contacts.vtkhdf").finished
 
 
 def test_table_of_a_run(run_of_input):

@@ -490,3 +490,20 @@ def test_a_lap_of_two_ends_has_the_same_force_in_any_direction(run, lap):
         deck = two_wires(lower, upper, HELD, moved(*(-100 * OVERLAP * np.array(up)), increments=2))
         forces.append(solved(run(deck)).contacts_at(-1)["force"].sum())
     assert forces == pytest.approx([forces[0]] * 3, rel=1e-6)
+
+
+@pytest.mark.parametrize("bend", [3e-3, 1e-2])
+def test_an_end_beside_the_end_of_the_other_wire_has_no_more_than_one_on_a_long_wire(run, bend):
+    """Strands that end in one plane: one that is bent away from the other one [1/radii] leads off from its end there."""
+    radius, slope, overlaps = COPPER.radius, 0.012, np.array([1e-4, 3e-4, 1e-3, 3e-3, 1e-2])
+    way = np.linspace(0, 0.012, 11)
+    upper = np.column_stack([-way, np.zeros(11), 2 * radius + slope * way + bend / radius * way**2 / 2])
+    forces = []
+    for beyond in (0.02, 6.0):
+        lower = np.linspace((-0.02, 0, 0), (beyond * radius, 0, 0), 15)
+        steps = [moved(0, 0, -overlap * radius) for overlap in overlaps]
+        results = solved(run(two_wires(lower, upper, HELD, *steps)))
+        forces.append(np.array([results.contacts_at(i)["force"].sum() for i in range(1, len(overlaps) + 1)]))
+    assert np.all(np.diff(forces[0]) > 0)
+    assert np.all(forces[0] < 1.02 * forces[1])
+    assert np.all(forces[0] > 0.5 * forces[1])

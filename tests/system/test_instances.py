@@ -62,6 +62,8 @@ def test_it_is_the_deck_that_convert_writes(deck, tmp_path):
         (" 3, 100., 0., 0.", " 3, 100., 0., abc", "*Node", "could not convert string to float: 'abc'"),
         ("2, 2, 3\n", "2, 2, 9\n", "*Element", "there is no number 9 in the instance Bar-1"),
         ("part=Bar\n 0., 0., 40.", "part=Beam\n 0., 0., 40.", "*Instance, name=Bar-2", "refers to the part Beam"),
+        ("*End Assembly", "*Nset, nset=Middle, instance=Bra-1\n 2\n*End Assembly", "*Nset, nset=Middle",
+         "*NSET: there is no instance 'Bra-1'; did you mean 'Bar-1'?"),
         ("Roots, ENCASTRE", "3, ENCASTRE", "*Boundary", "one of an instance is INSTANCE.3"),
         ("2., 6.\n", "2., -6.\n", "2., -6.", "must be"),
     ],

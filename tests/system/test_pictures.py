@@ -11,7 +11,7 @@ from PIL import Image
 
 import litz
 from litz.cli import main
-from litz.pictures import animation, charts, plots
+from litz.pictures import animation, charts, plots, residual_charts
 from litz.pictures.friction_charts import friction_loops
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.wire_picture import discs
@@ -34,7 +34,7 @@ class TestResiduals:
     def test_what_is_allowed_is_seen_where_there_is_one_iteration(self, run_of_input):
         """A linear problem has one."""
         axes = Figure().subplots()
-        charts.residual_lines(axes, litz.Results(run_of_input("20_hot_spot")).convergence, "current")
+        residual_charts.residual_lines(axes, litz.Results(run_of_input("20_hot_spot")).convergence, "current")
         dashed = [line for line in axes.get_lines() if line.get_linestyle() == "--"]
         single = [line for line in dashed if (line.get_ydata() > 0).sum() == 1]
         assert single

@@ -164,6 +164,18 @@ def test_parameters_that_make_no_sense_are_refused(parameters, message, tmp_path
     assert not list(tmp_path.iterdir())
 
 
+def test_parameters_that_a_function_does_not_take_are_told_before_any_run(tmp_path):
+    with pytest.raises(TypeError, match=r"^model\(.*the parameters pusch: missing a required argument: 'push'"):
+        litz.sweep(model, {"pusch": [1e-6]}, directory=tmp_path / "runs")
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_option_that_is_none_is_told_before_any_run(tmp_path):
+    with pytest.raises(TypeError, match="no option 'colect'; did you mean 'collect'"):
+        litz.sweep(model, {"push": [1e-6]}, directory=tmp_path / "runs", colect=len)
+    assert not list(tmp_path.iterdir())
+
+
 def test_places_and_parameters_of_a_template_must_fit(template, tmp_path):
     with pytest.raises(ValueError, match=r"no place \{yung\}; did you mean 'young'"):
         litz.sweep(template, {"yung": [1], "push": [1]}, directory=tmp_path)

@@ -297,6 +297,8 @@ A, B
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n1e-12\n", "spot FILM with sigma_f = 1e-12 ohm m^2"),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT\n0.002\n", "spot CONSTANT with R_c = 0.002 ohm"),
         ("*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE\n1., 2.\n2., 1.\n", "spot TABLE of 2 points"),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n0.002\n", "spot CONSTANT with R_c = 0.002 ohm m, "),
+        ("*GAP ELECTRICAL CONDUCTANCE, LAW=TABLE, PER=LENGTH\n1., 2.\n2., 1.\n", "TABLE of 2 points per length, "),
     ],
 )
 def test_the_laws_of_a_contact(check, laws, words):
@@ -304,6 +306,17 @@ def test_the_laws_of_a_contact(check, laws, words):
     (line,) = [line for line in check(deck + "*STEP\n*STATIC\n*END STEP\n") if line.startswith("contact pair")]
     assert line.startswith("contact pair A with B: TOUCH, ")
     assert words in line
+
+
+def test_the_laws_of_wires_on_a_rigid_surface(check):
+    """It has one potential: there is no voltage in it that a spot could have corrected."""
+    laws = (
+        "*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n0.002\n*GAP CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n5.\n"
+    )
+    deck = f"{CROSSING}*NODE\n9, 0., 0., -0.1\n*RIGID SURFACE, NAME=FLOOR, TYPE=PLANE, REF NODE=9\n"
+    deck += f"0., 0., -0.1, 0., 0., 1.\n*SURFACE INTERACTION, NAME=TOUCH\n{laws}*CONTACT PAIR, INTERACTION=TOUCH\nA, FLOOR\n"
+    (line,) = [line for line in check(deck + "*STEP\n*STATIC\n*END STEP\n") if line.startswith("contact pair")]
+    assert line.endswith("spot CONSTANT with R_c = 0.002 ohm m, heat CONSTANT with h = 5 W/(m K)")
 
 
 def test_contact_within_one_set_and_the_linear_axis(check):

@@ -13,7 +13,7 @@ from matplotlib.image import imread
 import litz
 from litz.base.quantities import engineering, label
 from litz.base.table import Table
-from litz.pictures import charts, drawing_process, plots
+from litz.pictures import charts, drawing_process, plots, residual_charts
 from litz.pictures.contact_marks import Spots
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.tube_mesh import tubes
@@ -114,7 +114,7 @@ class TestPictures:
             litz.plot(results, "wires", field="potentials")
 
     def test_every_kind_is_documented(self):
-        assert set(plots.KINDS) == set(KINDS)
+        assert set(plots.KINDS) == set(plots._DRAWERS) == set(KINDS)
         for kind in KINDS:
             assert f'"{kind}"' in litz.plot.__doc__
 
@@ -240,7 +240,7 @@ class TestScene:
 class TestCharts:
     def test_residual_lines_hold_the_norms_and_the_allowed_values(self, results):
         axes = Figure().add_subplot()
-        charts.residual_lines(axes, results.convergence, "force")
+        residual_charts.residual_lines(axes, results.convergence, "force")
         solid = [line for line in axes.lines if line.get_linestyle() == "-"]
         dashed = [line for line in axes.lines if line.get_linestyle() == "--"]
         assert len(solid) == len(dashed) == 3

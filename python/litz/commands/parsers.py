@@ -3,9 +3,10 @@
 import argparse
 import re
 import sys
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
-from ..results import Results
+if TYPE_CHECKING:
+    from ..results import Results
 
 
 def results_parser(command: str, description: str, epilog: str | None = None) -> argparse.ArgumentParser:
@@ -31,7 +32,7 @@ def command_parser(command: str, description: str, epilog: str | None = None) ->
     )
 
 
-def increment_of(results: Results, text: str) -> int:
+def increment_of(results: "Results", text: str) -> int:
     """Index of an increment that is written as STEP:INCREMENT, or as a number from 0, or from the end."""
     if step := re.fullmatch(r"(\d+):(\d+)", text):
         return results.index(int(step[1]), int(step[2]))

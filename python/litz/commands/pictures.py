@@ -2,10 +2,10 @@
 
 import argparse
 import re
+from importlib import import_module
 from pathlib import Path
 
-from ..pictures.animation import animate
-from ..pictures.plots import KINDS, plot, with_increments
+from ..pictures.kinds import KINDS
 from ..pictures.scene import VIEWS
 from ..results import Results
 from ..results.scalars import scalars
@@ -57,12 +57,16 @@ def plot_command(arguments: list[str]) -> int:
     look["reference"] = not options.no_reference
     try:
         results = Results(options.results)
+        # takes long to load, and is of no use without results
+        plots = import_module("..pictures.plots", __package__)
+        results = plots.with_increments(results)
         if options.list_fields:
             print(_fields(results), end="")
             return 0
         if options.animate or Path(options.output or "").suffix in (".gif", ".mp4"):
             if options.kind not in (None, "wires"):
                 raise ValueError(f"only the wires can be animated, not {options.kind!r}")
+            animate = import_module("..pictures.animation", __package__).animate
             picture = animate(results, options.output, frames_per_second=options.frames_per_second, **look)
         else:
             increment = increment_of(results, options.increment)
@@ -71,7 +75,7 @@ def plot_command(arguments: list[str]) -> int:
                 raise ValueError(f"--wire is for lines, a number from 1 to {len(results.wires)}")
             look["wire"] = None if wire is None else wire - 1
             look["place"] = options.place
-            picture = plot(results, kind, options.output, increment=increment, **look)
+            picture = plots.plot(results, kind, options.output, increment=increment, **look)
     except (ValueError, LookupError) as error:
         parser.error(error.args[0])
     print(f"picture: {picture}")
@@ -82,7 +86,7 @@ def _fields(results: Results) -> str:
     """A line for each scalar: name, unit and meaning."""
     rows = [
         (name, scalar.unit, results.fields.get(scalar.fields[0], "") if len(scalar.fields) == 1 else scalar.text)
-        for name, scalar in scalars(with_increments(results)).items()
+        for name, scalar in scalars(results).items()
         if scalar.component is None
     ]
     width = max(len(name) for name, _, _ in rows)

@@ -16,8 +16,9 @@ def report_command(arguments: list[str]) -> int:
     # Linux alone forks without harm, and says how many processors there are for this process
     processes = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
     with ready():
-        # matplotlib takes as long to load as VTK to start
+        # VTK starts meanwhile
+        results = import_module("..results", __package__).Results(options.results)
         report = import_module("..reports.report", __package__).report
-        page = report(options.results, options.output, processes=processes if processes > 1 else 0)
+        page = report(results, options.output, processes=processes if processes > 1 else 0)
     print(f"report: {page}")
     return 0

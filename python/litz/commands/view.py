@@ -1,6 +1,8 @@
 """The command `litz view`: by itself, as others need no server."""
 
-from ..viewer.server import view
+from importlib import import_module
+
+from ..results import Results
 from .parsers import results_parser
 
 
@@ -12,5 +14,8 @@ def view_command(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if not 0 <= options.port <= 65535:
         parser.error(f"a port is a number from 0 to 65535, not {options.port}")
-    view(options.results, port=options.port, open_browser=not options.no_browser)
+    results = Results(options.results)
+    # takes long to load, and is of no use without results
+    view = import_module("..viewer.server", __package__).view
+    view(results, port=options.port, open_browser=not options.no_browser)
     return 0

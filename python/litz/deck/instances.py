@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..base.names import unknown_name
 from ..errors import FileError, InputError
 from .card import Card
 from .deck import Deck
@@ -140,6 +141,7 @@ class _Instances:
         """All cards, those of parts once for each instance."""
         part: list[Card] | None = None
         instance: Card | None = None
+        placed: dict[str, str] = {}
         for card in self.cards:
             if card.is_a("PART"):
                 part = self.parts.setdefault(str(card["NAME"]).upper(), [])
@@ -149,6 +151,7 @@ class _Instances:
                 part.append(card)
             elif card.is_a("INSTANCE"):
                 instance = card
+                placed[str(card.get("NAME", "")).upper()] = str(card.get("NAME", ""))
                 for one in self._part_of(card):
                     yield self._read(self._placed, one, card)
             elif card.is_a("END INSTANCE"):
@@ -156,7 +159,10 @@ class _Instances:
             elif instance is not None:
                 yield self._read(self._placed, card, instance)
             elif not any(card.is_a(one) for one in _STRUCTURE):
-                yield self._read(self._renumbered, card, str(card.get("INSTANCE", "")), "")
+                name = str(card.get("INSTANCE", ""))
+                if name and name.upper() not in placed:
+                    raise self._error(card, f"*{card.name}: {unknown_name('instance', name, placed.values())}")
+                yield self._read(self._renumbered, card, name, "")
 
     def _read(self, change: Callable[..., Card], card: Card, *arguments: Any) -> Card:
         """The changed card; values that are none are errors with the place of the card."""

@@ -22,6 +22,7 @@ from .chart_tools import (
     power_of_ten,
     wire_names,
 )
+from .margins import bar_beside
 
 Colour = str | tuple[float, float, float, float]
 
@@ -37,17 +38,6 @@ _FEW_DECADES = 200
 def resistance(figure: Figure, results: Results, increment: int) -> None:
     """Contact resistance over contact force."""
     resistance_over_force(figure.add_subplot(), results, increment)
-
-
-def residuals(figure: Figure, results: Results, increment: int) -> None:
-    """A chart for each field of the equilibrium that has a residual."""
-    table = results.convergence
-    names = [name for name in residual_names(table) if table[name].any()] or ["force"]
-    all_axes = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
-    for axes, name in zip(all_axes, names, strict=True):
-        residual_lines(axes, table, name)
-    all_axes[-1].set_xlabel("iteration")
-    _name_increments(figure, all_axes, table)
 
 
 def contacts(figure: Figure, results: Results, increment: int) -> None:
@@ -136,12 +126,12 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
         angle = np.degrees(shown["angle"])
         if np.ptp(angle) > 1:
             dots = axes.scatter(force, ohms, c=angle, s=10, cmap="viridis", edgecolors="none")
-            axes.figure.colorbar(dots, ax=axes, label="crossing angle [°]", pad=0.02)
+            bar_beside([axes], dots).set_label("crossing angle [°]")
         else:
             axes.scatter(force, ohms, s=10, color=_ONE_COLOUR, edgecolors="none")
     axes.margins(0.08)
     for axis in (axes.xaxis, axes.yaxis):
-        _number_log_axis(axis)
+        number_log_axis(axis)
     _power_lines(axes, force[loading], ohms[loading])
     axes.set_xlabel(label("contact force", force_unit))
     axes.set_ylabel(label("resistance", unit))
@@ -167,7 +157,7 @@ def _loading_and_return(axes: Axes, force: np.ndarray, ohms: np.ndarray, colour:
     return way_up
 
 
-def _number_log_axis(axis: Axis) -> None:
+def number_log_axis(axis: Axis) -> None:
     """Plain numbers, several in each decade, where there are few decades; else powers of ten.
 
     As text and not as formulas, whose parsing takes longer than all else of a chart.
@@ -204,96 +194,7 @@ def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
     legend_beside(axes)
 
 
-def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> None:
-    """All fields over their allowed values, for the increment that is shown."""
-    table = results.convergence
-    one = table.where(
-        (table["step"] == results.steps[increment]) & (table["increment"] == results.increments[increment])
-    )
-    axes.set_title("Convergence of this increment")
-    if not one.n_rows:
-        nothing_to_draw(axes, "No iterations are recorded")
-        return
-    one = one.where(one["attempt"] == one["attempt"].max())
-    names = residual_names(one)
-    for i, name in enumerate(names):
-        allowed = one[f"{name}_allowed"]
-        ratio = np.divide(one[name], allowed, out=np.zeros(one.n_rows), where=allowed > 0)
-        if ratio.any():
-            axes.semilogy(
-                one["iteration"],
-                np.where(ratio > 0, ratio, np.nan),
-                "o-",
-                markersize=4,
-                color=colour_of(i, len(names)),
-                label=name,
-            )
-    axes.axhline(1.0, color="#888888", linestyle="--", linewidth=1.0)
-    axes.annotate(
-        "allowed",
-        (1.0, 1.0),
-        xycoords=("axes fraction", "data"),
-        ha="right",
-        va="bottom",
-        color="#666666",
-        fontsize="small",
-    )
-    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-    _number_log_axis(axes.yaxis)
-    axes.set_xlabel("iteration")
-    axes.set_ylabel("residual / allowed")
-    legend_beside(axes)
-
-
-def residual_names(table: Table) -> list[str]:
-    """Residuals of the fields in a table of iterations: the columns that have an allowed value."""
-    return [name.removesuffix("_allowed") for name in table if name.endswith("_allowed")]
-
-
-def residual_lines(axes: Axes, table: Table, name: str) -> None:
-    """Residual norm of one field: a line for each try of each increment, its allowed value dashed in its colour."""
-    tries = np.stack([table["step"], table["increment"], table["attempt"]], axis=1)
-    distinct = np.unique(tries, axis=0)
-    colours = _gradient()(np.linspace(0.0, 1.0, len(distinct)))
-    last_attempt = {(step, increment): attempt for step, increment, attempt in distinct}
-    few = len(distinct) <= MAX_LINES
-    for one, colour in zip(distinct, colours, strict=True):
-        rows = table.where(np.all(tries == one, axis=1))
-        size = np.where(rows[name] > 0, rows[name], np.nan)
-        step, increment, attempt = one
-        failed = attempt < last_attempt[step, increment]
-        text = f"{step}.{increment}" + (f", try {attempt}" if last_attempt[step, increment] > 1 else "")
-        style = {"linestyle": ":", "marker": "x"} if failed else {"linestyle": "-", "marker": "o"}
-        axes.semilogy(
-            rows["iteration"], size, markersize=4, linewidth=1.3, color=colour, label=text if few else None, **style
-        )
-        allowed = rows[f"{name}_allowed"]
-        # a single value makes no line
-        dash = "_" if (allowed > 0).sum() == 1 else None
-        axes.semilogy(
-            rows["iteration"], allowed, "--", color=colour, linewidth=0.9, alpha=0.8, marker=dash, markersize=14
-        )
-    axes.set_title(f"{name.capitalize()} residual, dashed: allowed")
-    axes.set_ylabel(label("norm", engineering(np.zeros(1), table.units[name])[1]))
-    _number_log_axis(axes.yaxis)
-    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-
-
-def _name_increments(figure: Figure, all_axes: np.ndarray, table: Table) -> None:
-    """One legend for all charts of residuals, or a colour bar where the lines are many."""
-    handles, _ = all_axes[0].get_legend_handles_labels()
-    if handles:
-        all_axes[0].legend(title="step.increment", loc="upper left", bbox_to_anchor=(1.0, 1.0))
-        return
-    n = len(np.unique(np.stack([table["step"], table["increment"], table["attempt"]], axis=1), axis=0))
-    bar = figure.colorbar(
-        mpl.cm.ScalarMappable(mpl.colors.Normalize(1, n), _gradient()), ax=list(all_axes), pad=0.02, aspect=40
-    )
-    bar.locator = MaxNLocator(integer=True)
-    bar.set_label("tries of increments, in the order of the run")
-
-
-def _gradient() -> mpl.colors.Colormap:
+def gradient() -> mpl.colors.Colormap:
     """Viridis without its palest part, which is hard to see on white."""
     return mpl.colors.ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.88, 256)))
 
@@ -474,7 +375,7 @@ def _per_increment(results: Results, ledger: Table, values: np.ndarray) -> tuple
 def colour_of(i: int, n: int) -> Colour:
     """Colour-blind safe colours for few lines, a gradient for many."""
     few = ["#2a6f97", "#e8502a", "#5b8e3e", "#8e5ba6", "#c99700", "#4d4d4d"]
-    return few[i] if n <= len(few) else _gradient()(i / max(1, n - 1))
+    return few[i] if n <= len(few) else gradient()(i / max(1, n - 1))
 
 
 def marker(n: int) -> dict:

@@ -12,6 +12,7 @@ from ..base.quantities import engineering, label, with_unit
 from ..results import Results
 from ..results.network import ContactNetwork, contact_network
 from .chart_tools import has_force, wire_names
+from .margins import bar_beside
 
 _WIDEST_LINE = 7.0
 _WIDEST_OF_MANY = 4.0
@@ -37,7 +38,7 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     axes = figure.add_subplot()
     axes.set_axis_off()
     _draw_lines(axes, places, pairs, size)
-    _draw_wires(figure, axes, places, graph, wire_names(results, results.wires), results.unit_labels["V"])
+    _draw_wires(axes, places, graph, wire_names(results, results.wires), results.unit_labels["V"])
     factor, unit = engineering(size, results.unit_labels[{"current": "A", "force": "N"}[by]])
     largest = f"; the thickest line is {with_unit(f'{size.max() * factor:.3g}', unit)}" if len(size) else ""
     counts = f"{_counted(n_wires, 'wire')}, {_counted(len(graph.id), 'contact')}"
@@ -149,9 +150,7 @@ def _draw_lines(axes: Axes, places: np.ndarray, pairs: np.ndarray, size: np.ndar
     )  # fmt: skip
 
 
-def _draw_wires(
-    figure: Figure, axes: Axes, places: np.ndarray, graph: ContactNetwork, names: list[str], unit_of_voltage: str
-) -> None:
+def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: list[str], unit_of_voltage: str) -> None:
     n = len(places)
     touching = np.bincount(graph.wires.ravel(), minlength=n)
     largest = 420 if n <= _MAX_NAMES else 160
@@ -164,7 +163,7 @@ def _draw_wires(
         edgecolors="white", linewidths=1.0, zorder=2,
     )  # fmt: skip
     if has_voltage:
-        bar = figure.colorbar(dots, ax=axes, shrink=0.7, pad=0.02, aspect=30)
+        bar = bar_beside([axes], dots)
         bar.set_label(label("mean potential of the wire", unit))
         bar.outline.set_visible(False)
     if n <= _MAX_NAMES:

@@ -12,7 +12,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.layout_engine import TightLayoutEngine
 from PIL import Image
 
 from ..base.names import unknown_name
@@ -22,9 +21,12 @@ from ..base.quantities import with_unit
 from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
-from . import cable_charts, charts, friction_charts, network_chart, surface_charts, zone_charts
+from . import cable_charts, charts, friction_charts, network_chart, residual_charts, surface_charts, zone_charts
+from .colours import line_colours
+from .kinds import INCHES, KINDS
+from .margins import arrange
 from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
-from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, line_colours, render
+from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, render
 
 STYLE = {
     "font.size": 10,
@@ -55,8 +57,8 @@ _PIXEL_FORMATS: dict[str, dict[str, Any]] = {".png": {}, ".webp": {"quality": 88
 _WIRES_BOX = (0.01, 0.13, 0.98, 0.76)
 #: Of what stands at the right of an overview, relative to its width
 _RIGHT_EDGE = 0.99
-#: Space around charts, in sizes of the font and in inches
-_PAD, _INCHES = 0.8, 0.1
+#: Space around a cross-section [inches]
+_INCHES = 0.1
 #: Width that axes keep beside the longest texts, relative to their own
 _LEAST_SHARE = 0.5
 
@@ -158,8 +160,8 @@ def plot(
     Path
         The picture, which a notebook shows.
     """
-    if kind not in _KINDS:
-        raise ValueError(unknown_name("kind of plot", kind, _KINDS))
+    if kind not in KINDS:
+        raise ValueError(unknown_name("kind of plot", kind, KINDS))
     look = Look(field, scale, spots, reference, view, wire, place)
     results = with_increments(results)
     if wire is not None and not 0 <= wire < len(results.wires):
@@ -167,10 +169,9 @@ def plot(
     path = Picture(filename or results.path.with_name(f"{results.path.stem}_{kind}.png"))
     if not path.suffix:
         path = Picture(f"{path}.png")
-    draw, default_size = _KINDS[kind]
     with results.kept_open(), mpl.rc_context(STYLE):
-        figure = new_figure(default_size, size)
-        draw(figure, results, increment, look)
+        figure = new_figure(INCHES[kind], size)
+        _DRAWERS[kind](figure, results, increment, look)
         with writing(path):
             _save(figure, path)
     return path
@@ -184,7 +185,7 @@ def begin_wires(
     VTK draws beside what this process does until it calls what is returned, which writes the pictures.
     """
     with results.kept_open(), mpl.rc_context(STYLE):
-        figures = [new_figure(_KINDS["wires"][1], size) for _ in fields]
+        figures = [new_figure(INCHES["wires"], size) for _ in fields]
         scenes = [Look(field).scenes(results, [-1]).scene(-1) for field in fields]
         pixels = box_pixels(figures[0], _WIRES_BOX)
         camera = _camera(scenes[0], pixels, Look())
@@ -201,17 +202,15 @@ def begin_wires(
 
 
 def _save(figure: Figure, path: Path) -> None:
-    """Write a figure; its layout is found once, and not again whenever it is drawn."""
+    """Write a figure, whose layout is found once, and not again whenever it is drawn."""
     canvas = FigureCanvasAgg(figure)
     layout = figure.get_layout_engine()
-    if layout is not None:
+    if layout is None:
+        arrange(figure)
+    else:
         for spine in (spine for axes in figure.axes for spine in axes.spines.values()):
             # the labels reach farther
             spine.set_in_layout(False)
-        if all(axes.get_subplotspec() is not None for axes in figure.axes):
-            # no colour bars: what is measured once is enough, which a rectangle would do twice
-            layout = TightLayoutEngine(pad=_PAD, rect=None)
-            figure.set_layout_engine(layout)
         layout.execute(figure)
         figure.set_layout_engine("none")
     if path.suffix.lower() not in _PIXEL_FORMATS:
@@ -307,12 +306,11 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     )
 
 
-def _chart(draw: Callable, size: tuple[float, float]) -> tuple[Callable, tuple[float, float]]:
+def _chart(draw: Callable) -> Callable:
     def make(figure: Figure, results: Results, increment: int, look: Look) -> None:
-        figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
         draw(figure, results, increment)
 
-    return make, size
+    return make
 
 
 def _contacts(figure: Figure, results: Results, increment: int) -> None:
@@ -321,7 +319,6 @@ def _contacts(figure: Figure, results: Results, increment: int) -> None:
 
 
 def _lines(figure: Figure, results: Results, increment: int, look: Look) -> None:
-    figure.set_layout_engine("constrained", w_pad=_INCHES, h_pad=_INCHES)
     zone_charts.lines(figure, results, increment, look.wire)
 
 
@@ -334,7 +331,7 @@ def _overview(figure: Figure, results: Results, increment: int, look: Look) -> N
     _still(figure, results, increment, look, (0.01, 0.115, 0.61, 0.79))
     figure.text(0.03, 0.98, title(results, increment), va="top", fontsize="x-large", linespacing=1.4)
     boxes = [(0.70, bottom, 0.28, 0.225) for bottom in (0.73, 0.40, 0.07)]
-    drawers = [charts.residual_of_last_increment]
+    drawers = [residual_charts.residual_of_last_increment]
     contacts, lines = results.contacts, has_lines(results)
     if results.rigid_surfaces:
         drawers.append(surface_charts.surface_forces_over_time)
@@ -373,21 +370,18 @@ def _narrow(figure: Figure, drawn: list[Axes]) -> None:
         axes.set_position((left + share * (box.x0 - left), box.y0, share * box.width, box.height))
 
 
-_KINDS: dict[str, tuple[Callable[[Figure, Results, int, Look], None], tuple[float, float]]] = {
-    "overview": (_overview, (15.0, 8.5)),
-    "wires": (_wires, (10.0, 7.0)),
-    "resistance": _chart(charts.resistance, (7.5, 5.5)),
-    "residuals": _chart(charts.residuals, (8.0, 7.5)),
-    "contacts": _chart(_contacts, (10.0, 7.0)),
-    "lines": (_lines, (9.0, 4.0)),
-    "currents": _chart(charts.currents, (10.0, 7.0)),
-    "shares": _chart(cable_charts.shares, (9.0, 6.5)),
-    "section": (_section, (8.0, 7.0)),
-    "network": _chart(network_chart.network, (9.0, 7.0)),
-    "friction": _chart(friction_charts.friction, (8.0, 7.0)),
-    "surfaces": _chart(surface_charts.surfaces, (8.0, 7.0)),
-    "history": _chart(charts.history, (8.0, 4.0)),
+_DRAWERS: dict[str, Callable[[Figure, Results, int, Look], None]] = {
+    "overview": _overview,
+    "wires": _wires,
+    "resistance": _chart(charts.resistance),
+    "residuals": _chart(residual_charts.residuals),
+    "contacts": _chart(_contacts),
+    "lines": _lines,
+    "currents": _chart(charts.currents),
+    "shares": _chart(cable_charts.shares),
+    "section": _section,
+    "network": _chart(network_chart.network),
+    "friction": _chart(friction_charts.friction),
+    "surfaces": _chart(surface_charts.surfaces),
+    "history": _chart(charts.history),
 }
-#: Kinds of pictures, and their widths and heights
-KINDS = tuple(_KINDS)
-KINDS_IN_INCHES = {kind: size for kind, (_, size) in _KINDS.items()}

@@ -19,6 +19,7 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 
 from ..base.quantities import engineering, with_unit
 from . import drawing_process
+from .colours import line_colours
 from .contact_marks import Spots
 from .prisms import prism
 from .scene import Camera, Scene
@@ -364,11 +365,6 @@ def _draw_lines(axes: Axes, scene: Scene, camera: Camera, points_per_metre: floa
     ends = flat[scene.line_ends]
     axes.plot(ends[:, 0], ends[:, 1], "o", markersize=width + 2.0, color=_DARK, markeredgecolor="white",
               markeredgewidth=0.7, zorder=3.5)  # fmt: skip
-
-
-def line_colours() -> mpl.colors.Colormap:
-    """Colours of the force per length: without the palest part of the map, which is hard to see."""
-    return mpl.colors.ListedColormap(mpl.colormaps["YlOrRd"](np.linspace(0.25, 1.0, 256)))
 
 
 def _draw_spots(axes: Axes, scene: Scene, camera: Camera) -> None:

@@ -1,24 +1,16 @@
 """`litz report`: one HTML page about a run, with pictures and the interactive model."""
 
-import base64
 import html
-import io
-import math
+import json
 import tempfile
 import warnings
-from collections.abc import Callable
 from functools import partial
+from importlib import import_module
 from pathlib import Path
-
-from PIL import Image
 
 from ..base.output import writing
 from ..errors import FileError
-from ..pictures.friction_charts import has_friction
-from ..pictures.plots import KINDS_IN_INCHES, begin_wires, plot
 from ..results import Results
-from ..results.contact_history import has_lines
-from ..results.scalars import default_scalar
 from ..viewer.packed import zipped
 from ..viewer.page import evenly_chosen, fitting_viewer, page, viewer_style
 from . import report_tables as tables
@@ -29,15 +21,9 @@ from .surface_tables import surface_contacts_of_iterate, surfaces
 _MAX_PAGE, _MAX_DATA, _MIN_PICTURES = 980_000, 480_000, 100_000
 # Increments that are looked at for that
 _MAX_INCREMENTS = 200
-# Quality, of 100, and scale of pictures that need more: drawn twice as large as the page shows them, they bear three quarters
-_SMALLER = ((75, 1.0), (75, 0.75), (60, 0.75), (60, 0.6), (40, 0.5))
 _MAX_DECK_LENGTH = 200_000
-_MAX_WIRES = 300
 # Results that several processes read at a time: larger ones take much memory in each [bytes]
 _MAX_FORKED = 50e6
-# Size of pictures of the wires, and resolution of charts: twice what the page shows [pixels]
-_SIZE_OF_WIRES = (1200, 840)
-_PIXELS_PER_INCH = 110
 # Decks of more letters are compressed in the page, and read when they are looked at
 _SHORT_DECK = 20_000
 _OPEN_DECK = """\
@@ -86,7 +72,8 @@ def report(results: Results | str | Path, filename: str | Path | None = None, *,
     filename : path, optional
         The page. Default: `STEM_report.html` beside the results.
     processes : int
-        Processes that draw charts beside this one, from which they are forked: only for programs with a single thread.
+        Processes that write texts and draw charts beside this one, from which they are forked: only for programs with a
+        single thread.
 
     Returns
     -------
@@ -108,17 +95,34 @@ def _page(results: Results, processes: int) -> str:
     """The page as text."""
     # after an error processes may still write into it
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        finish = _begin_pictures(results, Path(folder), processes) if len(results.times) else None
-        return _with_pictures(results, finish)
+        texts = Path(folder, "texts.json")
+        finish_texts = side_by_side.begin([(texts, partial(_write_texts, results, texts))], min(processes, 1))
+        # matplotlib takes as long to load as all texts to write
+        pictures = import_module(".report_pictures", __package__)
+        drawn = pictures.Pictures(results, Path(folder), processes) if len(results.times) else None
+        failure = _failure(results)
+        if processes and drawn:
+            drawn.finish()
+        finish_texts()
+        title, head, tail = json.loads(texts.read_text(encoding="utf-8"))
+        sections = [*head, *failure, *tail]
+        deck = ["<h2>Deck</h2>", _deck(results)]
+        if drawn:
+            drawn.finish()
+            room = _MAX_PAGE - sum(map(len, [*sections, *deck]))
+            sections += drawn.figures(max(_MIN_PICTURES, room))
+    return page(f"{title} - litz", "\n".join([*sections, *deck]), _STYLE + viewer_style())
 
 
-def _with_pictures(results: Results, finish_pictures: Callable[[int], list[str]] | None) -> str:
+def _write_texts(results: Results, path: Path) -> None:
+    """Write the title, and the sections without pictures before and behind those about a failure."""
     title = (results.heading.strip() or results.path.stem).splitlines()[0]
-    sections = [
+    head = [
         f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(results.path.name)}, made by litz {html.escape(results.version)}</p>",
         tables.verdict(results),
         _later_run(results),
-        *_failure(results),
+    ]
+    tail = [
         *tables.run_warnings(results),
         '<div class="columns"><div><h2>Model</h2>',
         tables.model(results),
@@ -129,14 +133,10 @@ def _with_pictures(results: Results, finish_pictures: Callable[[int], list[str]]
         tables.convergence(results),
     ]
     if len(results.times):
-        sections += [*_stage(results), *tables.line_contact(results)]
-        sections += ["<h2>Worst contacts</h2>", tables.worst_contacts(results)]
-        sections += surfaces(results)
-    deck = ["<h2>Deck</h2>", _deck(results)]
-    if finish_pictures is not None:
-        room = _MAX_PAGE - sum(map(len, [*sections, *deck]))
-        sections += finish_pictures(max(_MIN_PICTURES, room))
-    return page(f"{title} - litz", "\n".join([*sections, *deck]), _STYLE + viewer_style())
+        tail += [*_stage(results), *tables.line_contact(results)]
+        tail += ["<h2>Worst contacts</h2>", tables.worst_contacts(results)]
+        tail += surfaces(results)
+    path.write_text(json.dumps([title, head, tail]), encoding="utf-8")
 
 
 def _later_run(results: Results) -> str:
@@ -159,89 +159,8 @@ def _failure(results: Results) -> list[str]:
         last = Results(iterate)
     found += ["<h3>The iterate that was given up</h3>", tables.contacts_of_iterate(last)]
     found.append(surface_contacts_of_iterate(last))
-    with tempfile.TemporaryDirectory() as folder:
-        picture = plot(
-            last, "wires", Path(folder, "wires.webp"), field="displacement", spots="force", size=_SIZE_OF_WIRES
-        )
-        found.append(_figure(picture, "The last iterate of the failed run: not an equilibrium."))
+    found.append(import_module(".report_pictures", __package__).last_iterate(last))
     return found
-
-
-def _begin_pictures(results: Results, folder: Path, processes: int) -> Callable[[int], list[str]]:
-    """The pictures that this run has something for, which are drawn until they are asked for."""
-    wanted: list[tuple[str, str, dict[str, str]]] = [
-        ("wires", f"The wires at the last increment, coloured by {default_scalar(results, -1)}.", {})
-    ]
-    contacts, field = results.contacts, lambda name: results.field(name).any()
-    if field("joule_heat"):
-        wanted.append(("wires", "Joule heat per length of the wires.", {"field": "joule_heat_per_length"}))
-    if "temperature" in results.fields:
-        wanted.append(("wires", "Temperature.", {"field": "temperature"}))
-    wanted.append(("wires", "Bending moment.", {"field": "bending_moment"}))
-    wanted.append(("residuals", "Residuals over the iterations.", {}))
-    if contacts.n_rows:
-        wanted.append(("contacts", "The contacts over time, and their spots at the last increment.", {}))
-    lines = has_lines(results)
-    if lines:
-        wanted.append(("lines", "Contact along lines: what passes per length, along the wires.", {}))
-    if results.surface_contacts.n_rows:
-        wanted.append(("surfaces", "Forces on the rigid surfaces.", {}))
-    if contacts.n_rows and not lines and (contacts["resistance"] < math.inf).any():
-        wanted.append(("resistance", "Contact resistance over contact force.", {}))
-    if field("element_current"):
-        wanted.append(("currents", "Currents in the wires.", {}))
-    network = results.contact_network()
-    if len(network.id) > 0 and len(network.wire_length) <= _MAX_WIRES:
-        wanted.append(("network", "Which wires touch, and how much current passes between them.", {}))
-    if has_friction(results):
-        wanted.append(("friction", "Friction.", {}))
-    if len(results.history) > 3:
-        wanted.append(("history", "Output requested in the deck.", {}))
-    paths = [folder / f"{number}.webp" for number in range(len(wanted))]
-    charts: list[side_by_side.Job] = [
-        (path, partial(plot, results, kind, path, size=_sizes(kind)))
-        for path, (kind, _, _) in zip(paths, wanted, strict=True)
-        if kind != "wires"
-    ]
-    finish_charts = side_by_side.begin(charts, processes)
-    wires = [number for number, (kind, _, _) in enumerate(wanted) if kind == "wires"]
-    finish_wires = begin_wires(
-        results, [wanted[n][2].get("field") for n in wires], [paths[n] for n in wires], _SIZE_OF_WIRES
-    )
-
-    def finish(room: int) -> list[str]:
-        # the charts are drawn meanwhile
-        finish_wires()
-        finish_charts()
-        _make_smaller(paths, room)
-        figures = [_figure(picture, text) for picture, (_, text, _) in zip(paths, wanted, strict=True)]
-        return ["<h2>Pictures</h2>", '<div class="pictures">', *figures, "</div>"]
-
-    return finish
-
-
-def _make_smaller(pictures: list[Path], room: int) -> None:
-    """Pictures of many wires have much detail: all are saved with less quality until the page has room for them."""
-    drawn = [picture.read_bytes() for picture in pictures]
-    for quality, scale in _SMALLER:
-        if sum(4 * picture.stat().st_size / 3 for picture in pictures) <= room:
-            return
-        for picture, original in zip(pictures, drawn, strict=True):
-            with Image.open(io.BytesIO(original)) as image:
-                size = round(scale * image.width), round(scale * image.height)
-                image.resize(size, Image.Resampling.LANCZOS).save(picture, "WEBP", quality=quality, method=2)
-
-
-def _figure(picture: Path, text: str) -> str:
-    content = base64.b64encode(picture.read_bytes()).decode()
-    escaped = html.escape(text)
-    return f'<figure><img alt="{escaped}" src="data:image/webp;base64,{content}"><figcaption>{escaped}</figcaption></figure>'
-
-
-def _sizes(kind: str) -> tuple[int, int]:
-    """Width and height of a chart [pixels]."""
-    width, height = KINDS_IN_INCHES[kind]
-    return round(_PIXELS_PER_INCH * width), round(_PIXELS_PER_INCH * height)
 
 
 def _stage(results: Results) -> list[str]:

@@ -2,10 +2,18 @@
 
 from pathlib import Path
 
+import h5py
+
 from ..errors import FileError
 
 #: Ends of the names of files that runs and exports write beside the result file of the wires
 _BESIDE_RUNS, _BESIDE_EXPORTS = ("_contacts", "_unconverged"), ("rigid", "surfaces", "zones")
+_WHAT_IS_BESIDE = {
+    "contacts": "contacts",
+    "rigid": "rigid surfaces",
+    "surfaces": "contacts on surfaces",
+    "zones": "zones of contact",
+}
 
 
 def find_result_file(path: Path) -> Path:
@@ -24,10 +32,29 @@ def find_result_file(path: Path) -> Path:
         candidates = [path.with_name(path.name + ".vtkhdf")]
     for candidate in candidates:
         if candidate.is_file():
+            _refuse_what_is_beside(candidate)
             return candidate
     raise FileError(
         f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
     )
+
+
+def _refuse_what_is_beside(file: Path) -> None:
+    """An error for the file of contacts of a run, or one that `litz export` wrote, which have no run in them."""
+    stem, _, ending = file.stem.rpartition("_")
+    whole = file.with_name(f"{stem}.vtkhdf")
+    if ending in _WHAT_IS_BESIDE and whole.is_file() and not _has_run(file):
+        raise FileError(f"{file} has the {_WHAT_IS_BESIDE[ending]} of a run for ParaView: the results are in {whole}")
+
+
+def _has_run(file: Path) -> bool:
+    """A run may have a name like the file of another one."""
+    try:
+        with h5py.File(file, "r", locking=False) as opened:
+            return "litz" in opened and "heading" in opened["litz"].attrs
+    except OSError:
+        # what cannot be read is told where it is opened
+        return True
 
 
 def _is_beside_another(file: Path) -> bool:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from typing import TypeVar
 
 import numpy as np
 
@@ -14,10 +15,16 @@ from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
 from .surface_forces import joule_heat_on_surfaces, surface_forces
 
+Values = TypeVar("Values", np.ndarray, float)
+
 _MAX_ROWS = 30
 _MAX_PAIRS = 12
 #: Width of the names of numbers
 _NAME_WIDTH = 25
+# What is smaller beside the largest of its kind in the run is round-off, and what is smaller in SI units may be; the square of a
+# current and what cancels in a balance of heat have their own
+_ROUND_OFF, _SQUARED, _CANCELLED = 1e-12, 1e-24, 1e-9
+_MAY_BE_ROUND_OFF = 1e-12
 
 
 def summary(results: ResultFile) -> str:
@@ -60,7 +67,9 @@ def _increments(results: ResultFile) -> str:
 
 def _last_increment(results: ResultFile) -> str:
     size = np.linalg.norm(results.field("displacement"), axis=1)
+    largest = _without_round_off(size.max(), _largest(results, "displacement", size.max()), _ROUND_OFF)
     potential = results.field("potential")
+    potential = _without_round_off(potential, _largest(results, "potential", np.abs(potential).max()), _ROUND_OFF)
     contacts = results.contacts_at(-1)
     entering = results.field("reaction_current") + results.field("applied_current")
     unit = results.unit_labels
@@ -71,14 +80,15 @@ def _last_increment(results: ResultFile) -> str:
     time = with_unit(f"{results.times[-1]:g}", unit["s"])
     lines = [
         f"at time {time} (step {results.steps[-1]}, increment {results.increments[-1]}):",
-        f"  largest displacement   {size.max():12.5g} {unit['m']:4} at node {results.node_ids[size.argmax()]}",
+        f"  largest displacement   {largest:12.5g} {unit['m']:4}"
+        + (f" at node {results.node_ids[size.argmax()]}" if largest else ""),
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit, "contacts of wires" if results.rigid_surfaces else "contacts"),
         *pressure_lines(results),
     ]
     lines += _on_surfaces(results)
     heat = heat_wires + heat_contacts + heat_surfaces
-    if heat > 0:
+    if _without_round_off(heat, _largest(results, "joule_heat", heat) * len(results.elements), _SQUARED) > 0:
         of_surfaces = f", on rigid surfaces {heat_surfaces:.5g} {unit['W']}" if heat_surfaces else ""
         lines += [
             f"  electric power in      {potential @ entering:12.5g} {unit['W']}",
@@ -95,12 +105,27 @@ def _last_increment(results: ResultFile) -> str:
     return "\n".join([_tidy(line) for line in lines] + _pairs(places, zones, unit))
 
 
+def _largest(results: ResultFile, field: str, now: float) -> float:
+    """Largest size of a value of a field in the run, where what is `now` may be round-off of it; else `now`."""
+    if not 0 < now < _MAY_BE_ROUND_OFF:
+        return now
+    return max(float(np.abs(results.field(field, increment)).max()) for increment in range(len(results.times)))
+
+
+def _without_round_off(values: Values, largest: float, share: float) -> Values:
+    """Values with zeros in place of those that are below a share of the largest of their kind."""
+    return values * (np.abs(values) > share * largest)
+
+
 def _heat(results: ResultFile) -> list[str]:
     """Temperatures, and where the heat leaves the wires, in models that have temperatures."""
     if "temperature" not in results.fields:
         return []
     temperature, watt = results.field("temperature"), results.unit_labels["W"]
-    supports, sides = -results.field("reaction_heat").sum(), results.field("surface_heat").sum()
+    flows = [-results.field("reaction_heat"), results.field("surface_heat")]
+    supports, sides = (
+        float(_without_round_off(flow.sum(), sum(np.abs(one).sum() for one in flows), _CANCELLED)) for flow in flows
+    )
     hottest = results.node_ids[temperature.argmax()]
     lines = [f"  temperature            {_range(temperature, results.units['temperature'])} at node {hottest}"]
     contacts = results.contacts_at(-1)

@@ -10,19 +10,21 @@ import numpy as np
 
 from ..errors import LitzError
 from ..results import Results
-from .sweep import Case, sweep
+from .sweep import Case, check_call, sweep
 from .sweep_table import DIRECTORY, MESSAGE, STATUS
 
 _REACHED = "reached"
 #: Brackets whose ends are more than this factor apart are halved in logarithms
 _WIDE = 2.0
+#: What is zero beside the larger of the first two values
+_ZERO = 1e-6
 
 
 @dataclass(frozen=True)
 class Bracket:
     """The value at which the outcome changes lies between these."""
 
-    #: Largest value known not to reach it, and smallest one known to reach it
+    #: Nearest values known not to reach it, and to reach it, which is smaller where small values reach it
     below: float
     above: float
     #: Number of runs, those taken over from an earlier call included
@@ -62,7 +64,8 @@ def bisect(
     reached : callable
         Whether it is: a function of the `Results` of the run, or of the numbers that `case` has returned.
     tolerance : float
-        Of the value, relative: the bracket at the end is at most twice that wide.
+        Of the value, relative: the bracket at the end is at most twice that wide. Around zero it is a millionth of the larger
+        of the two values wide.
     directory : path
         Directory of decks and results, with a subdirectory for each run; None where `case` returns numbers.
     again : bool
@@ -78,7 +81,7 @@ def bisect(
     Raises
     ------
     ValueError
-        If the outcome is the same at both ends, or different from what `between` says.
+        If the outcome is the same at both ends.
     LitzError
         If a run fails: its message, the value and the directory.
 
@@ -93,15 +96,22 @@ def bisect(
         raise ValueError(f"between must be two different numbers, not {between}")
     if not tolerance > 0:
         raise ValueError(f"tolerance must be greater than 0, not {tolerance}")
+    if callable(case):
+        check_call(case, {parameter: below})
     outcome = _Outcome(case, parameter, reached, {"directory": directory, "again": again, **options})
     at_ends = outcome(below), outcome(above)
-    if at_ends != (False, True):
-        said = ["reached" if there else "not reached" for there in at_ends]
+    if at_ends[0] == at_ends[1]:
         raise ValueError(
-            f"the outcome is {said[0]} at {parameter} = {below:g} and {said[1]} at {above:g}: between must be a value at which "
-            "it is not reached, and one at which it is"
+            f"the outcome is {'reached' if at_ends[0] else 'not reached'} at {parameter} = {below:g} and at {above:g}: between "
+            "must be a value at which it is not reached, and one at which it is"
         )
+    if at_ends[0]:
+        below, above = above, below
+    zero = _ZERO * max(abs(below), abs(above))
     while abs(above - below) > tolerance * abs(above + below):
+        if below * above <= 0 and abs(above - below) <= zero:
+            # the outcome changes at zero, of which nothing is a part
+            break
         middle = _middle(below, above)
         if middle in (below, above):
             break

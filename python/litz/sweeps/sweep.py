@@ -1,6 +1,7 @@
 """Many runs over a grid of parameters."""
 
 import hashlib
+import inspect
 import itertools
 import json
 import math
@@ -23,7 +24,7 @@ from typing import Any, Literal
 import numpy as np
 
 from ..base import notebook
-from ..base.names import nearest_name
+from ..base.names import nearest_name, unknown_name
 from ..base.quantities import unit_of_conductance
 from ..deck import Deck
 from ..deck.lines import to_text
@@ -38,6 +39,9 @@ Case = Callable[..., Any] | str | os.PathLike
 _OUTCOME = "outcome.json"
 _PLACE = re.compile(r"\{(\w+)\}")
 _MAX_NAME_LENGTH = 60
+# Options of `litz.run` that a sweep passes on, and its own
+_RUN_OPTIONS = ("solver", "threads", "restart", "quiet")
+_SWEEP_OPTIONS = ("collect", "directory", "processes", "executor", "again", "progress")
 _RESISTANCE, _CONDUCTANCE = "resistance ", "conductance "
 #: What a run that was ended says, and the time it is given to end [s]
 _CANCELLED, _TIME_TO_END = "the sweep was cancelled", 10.0
@@ -111,7 +115,12 @@ def sweep(
         raise ValueError("processes is for threads of this process: an executor has its own number of workers")
     if again not in (True, False, "failed"):
         raise ValueError(f'again must be True, False or "failed", not {again!r}')
+    for name in options:
+        if name not in _RUN_OPTIONS:
+            raise TypeError(unknown_name("option", name, [*_RUN_OPTIONS, *_SWEEP_OPTIONS]))
     make = case if callable(case) else _Template(Path(case), combinations[0])
+    if callable(case):
+        check_call(case, combinations[0])
     options = {"threads": 1, **options}
     home = None if directory is None else Path(directory)
     if home is not None and executor is not None:
@@ -217,6 +226,22 @@ def _combinations(parameters: Mapping[str, Iterable[Any]] | Sequence[Mapping[str
     if len({_key(one) for one in combinations}) < len(combinations):
         raise ValueError("two runs have the same parameters")
     return combinations
+
+
+def check_call(case: Callable[..., Any], combination: Mapping[str, Any]) -> None:
+    """An error if a function does not take the parameters: each run would fail for it."""
+    try:
+        signature = inspect.signature(case)
+    except (TypeError, ValueError):
+        # not all callables tell
+        return
+    try:
+        signature.bind(**combination)
+    except TypeError as error:
+        name = getattr(case, "__name__", "the case")
+        raise TypeError(
+            f"{name}{signature} cannot be called with the parameters {', '.join(combination)}: {error}"
+        ) from None
 
 
 def _plain(value: Any) -> Any:

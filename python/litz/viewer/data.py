@@ -8,10 +8,10 @@ import matplotlib as mpl
 import numpy as np
 
 from ..base.table import Table
+from ..pictures.colours import line_colours
 from ..pictures.contact_marks import all_spots, spot_places
 from ..pictures.prisms import first_axes, reach_of_sections, triangles_of
 from ..pictures.scene import aim, shape_text
-from ..pictures.wire_picture import line_colours
 from ..results import Results
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import contact_zones
