@@ -1,5 +1,6 @@
 """Writes the decks that are too long to write by hand: `python inputs/make_decks.py`."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
