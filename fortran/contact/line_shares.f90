@@ -71,6 +71,7 @@ contains
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
+            if (point%shared_overlap > 0 .and. has_grown(point)) point%lens = cut_lens_t()
             call divide_at_ends(wires, elements, point)
             call place_at_ends(wires, elements, point)
             call set_angle_of_axes(point)
@@ -260,6 +261,7 @@ contains
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
                   call settle_ends(law, wires_of(model, elements, point), point)
+                  largest_change = max(largest_change, change_of_energies(earlier%lens, point%lens))
                end if
             end associate
             largest_change = max(largest_change, change_of(earlier, point))
@@ -280,6 +282,15 @@ contains
       change = max(change, maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
          abs(lens%cosine - earlier%cosine))
    end function change_of_cut
+
+   !> How much the energies of the shapes have changed, which all of the contact goes with.
+   pure real(dp) function change_of_energies(earlier, lens) result(change)
+      type(cut_lens_t), intent(in) :: earlier, lens
+
+      change = 0
+      if (earlier%has_energies .and. lens%has_energies) change = joints_matter*maxval(abs(lens%energy/earlier%energy &
+         - 1))
+   end function change_of_energies
 
    !> How much the law of a crossing has changed: its share, and the sine that it sees.
    pure real(dp) function change_of(earlier, point) result(change)

@@ -507,3 +507,16 @@ def test_an_end_beside_the_end_of_the_other_wire_has_no_more_than_one_on_a_long_
     assert np.all(np.diff(forces[0]) > 0)
     assert np.all(forces[0] < 1.02 * forces[1])
     assert np.all(forces[0] > 0.5 * forces[1])
+
+
+@pytest.mark.parametrize("before", [1e-8, 1e-4])
+def test_an_end_that_is_pressed_from_a_touch_to_a_tenth_of_a_percent_in_one_increment_has_its_force(run, before):
+    """All motions are given, so that nothing is left to be balanced: what the ends have is found for the overlap that is."""
+    radius = COPPER.radius
+    lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 11)
+    upper = from_tip((0.3 * radius, 0, math.sqrt(4 - 0.09) * radius), (1, 0, 0.05), n=10, length=0.02)
+    way = np.array([0.3, 0, math.sqrt(4 - 0.09)]) / 2
+    steps = [moved(*(-overlap * radius * way)) for overlap in (before, 1e-3)]
+    results = solved(run(two_wires(lower, upper, HELD, *steps)))
+    spheres = force_for(1e-3 * radius, end_on_end, (COPPER, COPPER))
+    assert results.contacts_at(-1)["force"].sum() == pytest.approx(spheres, rel=0.05)
