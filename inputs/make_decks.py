@@ -1,7 +1,5 @@
 """Writes the decks that are too long to write by hand: `python inputs/make_decks.py`."""
 
-import math
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -262,7 +260,7 @@ def overhand(t: float) -> list[float]:
 
 
 def _nb3sn_strand() -> Material:
-    """Strands half of Nb3Sn and bronze, half of copper, of ITER's parametrization; the filaments are 0.3 % shorter than the rest."""
+    """Strands half of Nb3Sn, half of copper, by the parametrization of ITER; the filaments are 0.3 % shorter than the rest."""
     nb3sn = (4e10, 32.57, 17.17, 0.7, 2.1, 45.74, 4.431, 2.32e-3, -0.61e-3)
     filaments = Superconductor(n=20, nb3sn=nb3sn, ratio=1.0, strain=-3e-3)
     return Material("STRAND", 110e9, 0.3, 5e9, expansion=10e-6, superconductor=filaments, units="SI")
@@ -320,40 +318,6 @@ Expect   Lorentz force 153.36 N, 9 x 75 A x 11.5 T over the 20 mm of the cable l
          soldered, have 0.8 mohm between them (superconducting) under load, and no contact before.
          The strands are strained by up to -0.31 %, less where they bend beside the clamps, the filaments by 0.3 % more:
          critical currents of 87 to 103 A under load.""".splitlines()
-    return model
-
-
-def cable_of_45_strands() -> build.Model:
-    """A cable of three stages that is compacted from end to end, cooled down, and loaded by its current ten times."""
-    radius, length, void, steel = 0.41e-3, 12e-3, 0.5, 10e-6 * 918.5 + 3e-3
-    model = build.cable(
-        [[3], [3], [5]],
-        radius=radius,
-        lay_lengths=[80e-3, 140e-3, 190e-3],
-        length=length,
-        material=_nb3sn_strand(),
-        interaction=Interaction(conductance=FilmSpot(1e-11), friction=0.3),
-        ends="sliding",
-    )
-    strands = model.groups["LAYER1"]
-    model.fix("MINUS", "potential")
-    model.initial_temperature(923.0)
-    size = float((np.hypot(model.x[:, 0], model.x[:, 1]) + radius).max())
-    metal = np.linalg.norm(np.diff(model.x[model.connectivity], axis=1), axis=2).sum() * radius**2 / length
-    shrunk = math.sqrt(metal / (1 - void)) / size
-    shrinks = model.amplitude("JACKET", [0, 1, 2], [1, shrunk, shrunk * (1 - steel)], time="TOTAL TIME")
-    jacket = model.bore("JACKET", (0, 0, 0), (0, 0, 1), size, radius_amplitude=shrinks)
-    model.contact(strands, jacket, friction=0.1)
-    compact = model.step("COMPACT", increment=0.05)
-    compact.controls("STABILIZE", factor=1e-4)
-    compact.controls("TIME INCREMENTATION", i_c=24, i_l=16, i_g=8)
-    cool = model.step("COOL", increment=0.25)
-    cool.temperature(strands, 4.5)
-    cool.move("PLUS", "z", -steel * length)
-    _load_in_cycles(model, 10, 0.25)
-    model.title = "A cable of 45 strands is compacted, cooled down, and loaded by its current ten times"
-    model.comments = """\
-TEXT""".splitlines()
     return model
 
 
@@ -465,4 +429,3 @@ if __name__ == "__main__":
     heated_mat().write(INPUTS / "21_heated_mat.inp")
     wiper().write(INPUTS / "22_wiper.inp")
     compacted_cable().write(INPUTS / "24_compacted_cable.inp")
-    cable_of_45_strands().write(INPUTS / "25_cable_of_45_strands.inp")

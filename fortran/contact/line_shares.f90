@@ -82,8 +82,9 @@ contains
          associate (point => contact%points(i))
             if (.not. serves_lines(model, point%pair)) cycle
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
-               if (has_grown(point) .or. (law%is_per_length_only() .and. .not. point%shared_overlap > 0)) &
+               if (has_grown(point) .or. (law%is_per_length_only() .and. .not. point%shared_overlap > 0)) then
                   call reshare_crossing(law, wires, elements, contact, by_place, point)
+               end if
             end associate
             call blend_angle_of_lens(point)
          end associate
