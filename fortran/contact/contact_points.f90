@@ -151,8 +151,7 @@ module litz_contact_points
       !> Force of the whole contact, whatever its share: of a crossing [N], of a place of a line per length [N/m], where
       !> a spot is remembered of which it carries nothing
       real(dp) :: whole_force = 0
-      !> Overlap of the lens at which these shares have been found [m]: as long as it grows little within an iteration
-      !> they stay; 0: nothing overlapped yet
+      !> Overlap at which these shares were found [m]; 0: nothing overlapped. While it grows little they stay
       real(dp) :: shared_overlap = 0
       !> Of a point of a line contact: it lies in the lens of a crossing
       logical :: in_lens = .false.

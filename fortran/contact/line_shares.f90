@@ -25,6 +25,7 @@ module litz_line_shares
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_settled_angles, only: settle_angle
+   use litz_share_changes, only: change_of_cut, change_of_energies, change_of_law
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_at_crossing, half_pass, &
       resolution, least_sine
    use litz_wires, only: wires_t
@@ -38,11 +39,7 @@ module litz_line_shares
    real(dp), parameter :: telling = 0.25_dp
    !> Less than this leads nowhere
    real(dp), parameter :: least_tilt = 1.0e-9_dp
-   !> A change of the sine of a lens, relative to it, matters this much more than one of a share
-   real(dp), parameter :: sine_matters = 20
-   !> So does one of the parts of legs and joint, which all of the contact goes with
-   real(dp), parameter :: joints_matter = 10
-   !> And this much more one of the force by how the wires are bent
+   !> A change of the force by how the wires are bent matters this much more than one of a share
    real(dp), parameter :: bends_matter = 1000
 
    !> Half lengths of a lens from its crossing where it ends, and where what overlaps is none of it: the crest of a wave
@@ -265,43 +262,10 @@ contains
                   largest_change = max(largest_change, change_of_energies(earlier%lens, point%lens))
                end if
             end associate
-            largest_change = max(largest_change, change_of(earlier, point))
+            largest_change = max(largest_change, change_of_law(earlier, point))
          end associate
       end do
    end subroutine renew_shares
-
-   !> How much the law of a contact near ends and joints has changed: by the shapes of its overlap, and by what it has
-   !> of them.
-   pure real(dp) function change_of_cut(earlier, lens) result(change)
-      type(cut_lens_t), intent(in) :: earlier, lens
-
-      change = joints_matter*maxval(abs(lens%of_joint - earlier%of_joint))
-      if (lens%is_near_joint .and. earlier%is_near_joint) change = max(change, joints_matter*abs(lens%angle &
-         - earlier%angle))
-      if (any(earlier%near .neqv. lens%near)) change = 1
-      if (any(earlier%near .neqv. lens%near) .or. .not. any(lens%near)) return
-      change = max(change, maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
-         abs(lens%cosine - earlier%cosine))
-   end function change_of_cut
-
-   !> How much the energies of the shapes have changed, which all of the contact goes with.
-   pure real(dp) function change_of_energies(earlier, lens) result(change)
-      type(cut_lens_t), intent(in) :: earlier, lens
-
-      change = 0
-      if (earlier%has_energies .and. lens%has_energies) change = joints_matter*maxval(abs(lens%energy/earlier%energy &
-         - 1))
-   end function change_of_energies
-
-   !> How much the law of a crossing has changed: its share, and the sine that it sees.
-   pure real(dp) function change_of(earlier, point) result(change)
-      type(contact_point_t), intent(in) :: earlier, point
-
-      change = max(abs(point%weight - earlier%weight), abs(point%section_share - earlier%section_share), &
-         abs(point%lens_share - earlier%lens_share))
-      if (earlier%lens_sine > 0) change = max(change, sine_matters*point%weight*point%lens_share &
-         *abs(point%lens_sine/earlier%lens_sine - 1))
-   end function change_of
 
    !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
    !> nothing where one wire runs into the other.
