@@ -157,7 +157,6 @@ module litz_foreign_words
       'give the values of the nodes in data lines'), &
       foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations,'// &
       ' potentials and temperatures; a velocity is a value that ramps'), &
-      foreign_word_t('BOUNDARY', 'FIXED', '', 'give the value to hold'), &
       foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction'), &
       foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
       foreign_word_t('NODE PRINT|EL PRINT|ENERGY PRINT|CONTACT PRINT', 'FREQUENCY|FREQUENCYF|TIME POINTS|SUMMARY|'// &

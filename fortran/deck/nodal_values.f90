@@ -7,7 +7,7 @@ module litz_nodal_values
    use litz_fields, only: field_t, fields, n_fields, field_rotation, field_displacement, last_dof, n_slots, &
       slot_of_dof, field_of_dof, dof_range, describe_dofs
    use litz_model, only: model_t, nodal_value_t, rigid_body_t, dof_temperature, leave_step
-   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, name_of
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, name_of
    use litz_value_checks, only: advice_about_value, behind_semicolon
    use litz_data_lines, only: read_line
    use litz_definitions, only: find_definition
@@ -111,9 +111,11 @@ contains
       integer :: line, amplitude, node, set, i
       !> First and last degree of freedom of each range that a line names (2, n)
       integer, allocatable :: dofs(:, :)
-      logical :: ok
+      logical :: ok, stays
 
       if (list%kind /= kind_initial) call apply_op(self, card, list)
+      stays = .false.
+      if (list%kind == kind_boundary) call read_fixed(self, card, list, stays)
       amplitude = 0
       amplitude_name = parameter_of(self, card, 'AMPLITUDE')
       if (amplitude_name%line > 0) call find_definition(self, self%amplitudes, 'amplitude', amplitude_name, amplitude)
@@ -130,15 +132,37 @@ contains
                'put this *BOUNDARY into a step')
             cycle
          end if
+         if (stays .and. abs(self%values%real(place_of_value(list%kind))) > 0) then
+            call fail_at(self, self%values%token(place_of_value(list%kind)), &
+               'what is FIXED stays what it is: leave out the value')
+            cycle
+         end if
          do i = 1, size(dofs, 2)
             if (node > 0) then
-               call set_values(self, model, list, [node], dofs(1, i), dofs(2, i), amplitude)
+               call set_values(self, model, list, [node], dofs(1, i), dofs(2, i), amplitude, stays)
             else if (set > 0) then
-               call set_values(self, model, list, model%node_sets(set)%members, dofs(1, i), dofs(2, i), amplitude)
+               call set_values(self, model, list, model%node_sets(set)%members, dofs(1, i), dofs(2, i), amplitude, stays)
             end if
          end do
       end do
    end subroutine read_nodal_values
+
+   !> Whether values stay what they are when the step begins.
+   subroutine read_fixed(self, card, list, stays)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(value_list_t), intent(in) :: list
+      logical, intent(out) :: stays
+
+      stays = has_flag(self, card, 'FIXED')
+      if (.not. stays) return
+      if (list%model_part) call fail_at(self, parameter_of(self, card, 'FIXED'), &
+         'FIXED has no meaning before the first step, where all values are zero')
+      associate (amplitude => parameter_of(self, card, 'AMPLITUDE'))
+         if (amplitude%line > 0) call fail_at(self, amplitude, 'what is FIXED follows no amplitude')
+      end associate
+   end subroutine read_fixed
 
    !> OP=NEW removes what earlier steps left; within a step all cards must agree.
    subroutine apply_op(self, card, list)
@@ -341,7 +365,7 @@ contains
    end subroutine find_boundary_dofs
 
    !> Put a value into the list for all nodes and degrees of freedom that the line names.
-   subroutine set_values(self, model, list, nodes, first, last, amplitude)
+   subroutine set_values(self, model, list, nodes, first, last, amplitude, stays)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       type(value_list_t), intent(inout) :: list
@@ -351,11 +375,14 @@ contains
       integer, intent(in) :: first, last
       !> Index of the amplitude; 0: none
       integer, intent(in) :: amplitude
+      !> What is prescribed stays what it is when the step begins
+      logical, intent(in) :: stays
       type(nodal_value_t) :: value
       integer :: i, dof
       logical :: ok
 
       value%amplitude = amplitude
+      value%stays = stays
       value%value = self%values%real(place_of_value(list%kind))
       do i = 1, size(nodes)
          value%node = nodes(i)
@@ -463,7 +490,8 @@ contains
          type(nodal_value_t), intent(inout) :: item
 
          if (list%kind <= kind_boundary) then
-            ok = item%amplitude == value%amplitude .and. .not. abs(item%value - value%value) > 0
+            ok = item%amplitude == value%amplitude .and. (item%stays .eqv. value%stays) .and. &
+               .not. abs(item%value - value%value) > 0
             if (.not. ok) call fail_at(self, self%values%token(1), 'degree of freedom '//to_text(value%dof)// &
                ' of node '// &
                to_text(model%node_id(value%node))//' is prescribed twice with different values; first in '// &

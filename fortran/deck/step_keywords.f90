@@ -115,6 +115,7 @@ contains
          ' rotation vector. One or two alone are angles applied incrementally about these axes, in addition to the'// &
          ' free rotation: where that is large, the result depends on the increments.')
       call add_op(k, 'prescribed values')
+      call k%add(flag('FIXED', 'in a step: what is named stays what it is when the step begins; no values are given'))
       call k%add_data([item_field('node', 'number of a node or name of a node set'), &
          dofs_of([(i, i=1, n_fields)], name_field('first', 'first degree of freedom, or the name of a support')), &
          integer_field('last', 'last degree of freedom, the first when left out', limit_positive, required=.false.), &

@@ -219,6 +219,8 @@ module litz_model
       real(dp) :: value = 0
       !> Index into `amplitudes`; 0: ramp over the step
       integer :: amplitude = 0
+      !> Prescribed to stay what it is when the step begins, whatever the value
+      logical :: stays = .false.
    end type nodal_value_t
 
    !> Heat that enters and leaves an element on its length.

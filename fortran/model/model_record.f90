@@ -398,7 +398,7 @@ contains
                associate (item => items(j))
                   if (item%dof /= dof) cycle
                   at_node(1, item%node) = checksum(reshape([at_node(1, item%node), bits(item%value), &
-                     amplitude_sum(item%amplitude)], [3, 1]))
+                     amplitude_sum(item%amplitude), merge(1_int64, 0_int64, item%stays)], [4, 1]))
                   if (item%amplitude > 0) used(item%amplitude) = .true.
                end associate
             end do

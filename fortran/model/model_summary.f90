@@ -380,7 +380,8 @@ contains
                to_text(step%largest)//model%units%after('s')
          end if
          text = text//', at most '//to_text(step%max_increments)//describe_solver(step)//nl
-         text = text//value_lines(step%boundary, 'prescribed')//value_lines(step%load, 'loads')// &
+         text = text//value_lines(pack(step%boundary, .not. step%boundary%stays), &
+            'prescribed')//fixed_line(step%boundary)//value_lines(step%load, 'loads')// &
             value_lines(step%predefined, 'given')
          text = text//element_load_lines(step)
          if (step%solves(field_temperature)) text = text//heat_line(step%heat)
@@ -389,6 +390,16 @@ contains
          end do
       end associate
    end function step_lines
+
+   !> How many degrees of freedom stay what they are when the step begins.
+   pure function fixed_line(boundary) result(line)
+      type(nodal_value_t), intent(in) :: boundary(:)
+      character(len=:), allocatable :: line
+
+      line = ''
+      if (any(boundary%stays)) line = '  prescribed to stay as they are: '//to_text(count(boundary%stays))// &
+         ' degrees of freedom'//nl
+   end function fixed_line
 
    !> A line for decks with a step that does not say NLGEOM, whose displacements are small in Abaqus and CalculiX; else
    !> empty.

@@ -111,7 +111,8 @@ contains
          associate (item => step%boundary(i))
             if (.not. step%solves(field_of_dof(item%dof))) cycle
             slot = slot_of_dof(item%dof)
-            loading%value(slot, item%node) = value_at(item, loading%start_value(slot, item%node))
+            loading%value(slot, item%node) = loading%start_value(slot, item%node)
+            if (.not. item%stays) loading%value(slot, item%node) = value_at(item, loading%value(slot, item%node))
          end associate
       end do
       loading%load = (1 - ramp)*loading%start_load

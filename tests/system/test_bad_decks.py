@@ -451,6 +451,27 @@ KEYWORDS = [
         "NEW",
     ),
     case(
+        "FIXED before the first step",
+        "*BOUNDARY\n1",
+        "*BOUNDARY, FIXED\n1",
+        "FIXED has no meaning before the first step",
+        "FIXED",
+    ),
+    case(
+        "FIXED with a value",
+        "*CLOAD, AMP",
+        "*BOUNDARY, FIXED\n3, 1, 1, 0.1\n*CLOAD, AMP",
+        "what is FIXED stays what it is: leave out the value",
+        "0.1",
+    ),
+    case(
+        "FIXED with an amplitude",
+        "*CLOAD, AMP",
+        "*BOUNDARY, FIXED, AMPLITUDE=UP\n3, 2\n*CLOAD, AMP",
+        "what is FIXED follows no amplitude",
+        "UP",
+    ),
+    case(
         "OP mixed",
         "*CLOAD, AMP",
         "*BOUNDARY, OP=NEW\n3, 1\n*CLOAD, AMP",

@@ -136,3 +136,49 @@ def test_a_voltage_or_a_current_can_be_switched_off(run, on, off):
     before = np.abs(potential[results.index(1, 4)]).max()
     assert before > 1e-4
     assert np.abs(potential[-1]).max() < 1e-14 * before
+
+
+def test_what_is_fixed_stays_where_it_is_when_the_step_begins(run):
+    """A bent and twisted wire is held at its end, and let go two steps later. Supports take over what the loads held."""
+    loads = "*CLOAD\n 11, 2, 2\n 11, 4, 0.02\n 11, 6, 0.05"
+    none = "*CLOAD, OP=NEW"
+    process, results = run(
+        cantilever(
+            loads,
+            f"*BOUNDARY, FIXED\n 11, 1, 6\n{none}",
+            "*BOUNDARY\n 6, 3, 3, 1e-3",
+            "*BOUNDARY, OP=NEW\n 1, ENCASTRE",
+            static=QUARTERS,
+        )
+    )
+    assert process.returncode == 0, process.stderr
+    end = {step: np.flatnonzero(results.steps == step)[-1] for step in (1, 2, 3, 4)}
+    for name in ("displacement", "rotation"):
+        values = results.field(name, None)[:, 10]
+        held = values[(results.steps == 2) | (results.steps == 3)]
+        np.testing.assert_allclose(held, np.tile(values[end[1]], (len(held), 1)), rtol=0, atol=1e-15)
+        np.testing.assert_allclose(values[end[4]], 0, atol=1e-10)
+    np.testing.assert_allclose(results.field("reaction_force", end[2])[10], [0, 2, 0], atol=1e-6)
+    np.testing.assert_allclose(results.field("displacement", end[3])[5, 2], 1e-3, rtol=1e-12)
+
+
+def test_a_single_rotation_that_is_fixed_does_not_turn_on(run):
+    """The end is turned about z; held there, a force that would turn it does not."""
+    turned = "*BOUNDARY\n 11, 6, 6, 0.3"
+    process, results = run(cantilever(turned, "*BOUNDARY, FIXED\n 11, 6\n*CLOAD\n 11, 2, 1", static=QUARTERS))
+    assert process.returncode == 0, process.stderr
+    np.testing.assert_allclose(results.field("rotation", None)[4:, 10], np.tile([0, 0, 0.3], (5, 1)), atol=1e-12)
+
+
+def test_a_fixed_potential_is_that_of_the_conductor(run):
+    """What a current has brought about is held without it."""
+    deck = conducting(
+        cantilever(
+            "*BOUNDARY\n 1, 9\n*CECURRENT\n 11, 9, 1e-3", "*BOUNDARY, FIXED\n 11, 9\n*CECURRENT, OP=NEW", static=QUARTERS
+        )
+    )  # fmt: skip
+    process, results = run(deck)
+    assert process.returncode == 0, process.stderr
+    potential = results.field("potential", None)[:, 10]
+    np.testing.assert_allclose(potential[5:], potential[4], rtol=1e-14)
+    np.testing.assert_allclose(results.field("reaction_current", -1)[10], 1e-3, rtol=1e-9)

@@ -194,12 +194,31 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     again.hold(more.start, "potential")
     last = model.step("LAST", direct=True, first=0.5, cload_op="NEW")
     last.cload(int(side.end[0]), 2, 0.5)
+    last.hold_here(side.start, "x", "y")
     deck = model.write(tmp_path / "new" / "all.inp")
     done = subprocess.run([litz_program, "check", deck], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "step 3" in done.stdout
     used = {card.name for card in litz.Deck.read(deck)}
     assert set(litz.keywords()) - used == NOT_BUILT | OF_HEAT | OF_FORCES
+
+
+def test_what_is_held_where_it_is_has_a_card_of_its_own():
+    model = litz.Model("held")
+    wire = model.wire("W", (0, 0, 0), (0.1, 0, 0), radius=1e-3, material=litz.COPPER, elements=4)
+    model.fix(wire.start)
+    step = model.step()
+    step.move(wire.end, "z", 1e-3)
+    step.hold_here(wire.end, "x", "y")
+    step.hold(wire.end, "rotations")
+    lines = model.to_deck().splitlines()
+    step_cards = lines[lines.index(next(line for line in lines if line.startswith("*STEP"))) :]
+    begin = step_cards.index("*BOUNDARY")
+    assert step_cards[begin : begin + 6] == [
+        "*BOUNDARY", " W_END, 3, 3, 1e-3", "*BOUNDARY, FIXED", " W_END, 1, 2", "*BOUNDARY", " W_END, 4, 6"
+    ]  # fmt: skip
+    with pytest.raises(ValueError, match="leave out value"):
+        step.boundary(wire.end, "x", value=1.0, fixed=True)
 
 
 def warm_wire():

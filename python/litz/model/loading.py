@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from numbers import Integral
 from typing import Any
 
@@ -183,6 +184,8 @@ class Prescribed:
     last: int
     value: float = 0.0
     amplitude: str | None = None
+    #: It stays what it is when the step begins
+    fixed: bool = False
 
     def row(self) -> list:
         """The values of the line; zeros are left out."""
@@ -235,18 +238,16 @@ class ElementLoad:
 def grouped(
     card: str, items: Sequence[Prescribed | Load | Temperature | ElementLoad], op: str = "MOD"
 ) -> Iterator[CardSpec]:
-    """Cards for prescribed values or loads: one for each run of lines with the same amplitude.
+    """Cards for prescribed values or loads: one for each run of lines with the same parameters.
 
     With `OP=NEW` and no lines a card that removes what earlier steps prescribed.
     """
     if op != "MOD" and not items:
         yield card, {"OP": op}, []
-    begin = 0
-    for end in range(1, len(items) + 1):
-        if end < len(items) and items[end].amplitude == items[begin].amplitude:
-            continue
-        parameters: dict[str, str | None] = {} if op == "MOD" else {"OP": op}
-        if items[begin].amplitude is not None:
-            parameters["AMPLITUDE"] = items[begin].amplitude
-        yield card, parameters, [item.row() for item in items[begin:end]]
-        begin = end
+    for (amplitude, fixed), lines in groupby(items, lambda item: (item.amplitude, getattr(item, "fixed", False))):
+        parameters: dict[str, str | bool | None] = {} if op == "MOD" else {"OP": op}
+        if amplitude is not None:
+            parameters["AMPLITUDE"] = amplitude
+        if fixed:
+            parameters["FIXED"] = True
+        yield card, parameters, [item.row() for item in lines]
