@@ -467,7 +467,7 @@ KEYWORDS = [
     case(
         "FIXED with an amplitude",
         "*CLOAD, AMP",
-        "*BOUNDARY, FIXED, AMPLITUDE=UP\n3, 2\n*CLOAD, AMP",
+        "*BOUNDARY, FIXED, AMPLITUDE=UP\n2, 5\n*CLOAD, AMP",
         "what is FIXED follows no amplitude",
         "UP",
     ),
