@@ -138,6 +138,7 @@ contains
 
       before = point%weight
       call share_crossing(law, wires, elements, contact, by_place, point)
+      ! the iteration goes on from the overlap that it has come to
       if (before > 0) point%mixed_force = point%mixed_force*(point%weight/before)
    end subroutine reshare_crossing
 
@@ -251,10 +252,8 @@ contains
             call divide_at_ends(wires, elements, point)
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
-               if (point%shared_overlap > 0) call share_crossing(law, wires, elements, contact, by_place, point)
+               if (point%shared_overlap > 0) call reshare_crossing(law, wires, elements, contact, by_place, point)
                if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
-               ! the iteration goes on from the overlap that it has come to
-               if (earlier%weight > 0) point%mixed_force = point%mixed_force*(point%weight/earlier%weight)
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
