@@ -73,7 +73,7 @@ class TestRunsThatDriveACurrent:
         """Three bundles: lines within them, crossings between them."""
         model = build.cable([[3], [3]], radius=0.41e-3, lay_lengths=[20e-3, 40e-3], length=10e-3)
         wires = model.groups["LAYER1"].wires
-        results = driven(model, wires[0], wires[5], tmp_path, pull=-20e-6)
+        results = driven(model, wires[0], wires[5], tmp_path, pull=-10e-6)
         found = results.interstrand_resistance()
         assert found.matrix[0, 5] == pytest.approx(results.history["resistance FIRST to SECOND"][-1], rel=1e-7)
         assert found.stage[0].tolist() == [0, 1, 1, 2, 2, 2, 2, 2, 2]
