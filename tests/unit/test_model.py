@@ -194,7 +194,6 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     again.hold(more.start, "potential")
     last = model.step("LAST", direct=True, first=0.5, cload_op="NEW")
     last.cload(int(side.end[0]), 2, 0.5)
-    last.hold_here(side.start, "x", "y")
     deck = model.write(tmp_path / "new" / "all.inp")
     done = subprocess.run([litz_program, "check", deck], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
