@@ -76,7 +76,7 @@ def test_decks_that_magnify_round_off_agree_on_a_figure_with_all_solvers(litz, i
 #: Those of many elements or increments
 LONG = {"12_woven_fabric", "19_fuse"}
 #: Strands that slide along each other in 47 increments: test_inputs has their figures
-SLIDING = {"24_compacted_cable"}
+SLIDING = {"24_compacted_cable", "25_cable_of_45_strands"}
 
 
 @pytest.mark.parametrize(
