@@ -216,8 +216,6 @@ def test_what_is_held_where_it_is_has_a_card_of_its_own():
     assert step_cards[begin : begin + 6] == [
         "*BOUNDARY", " W_END, 3, 3, 1e-3", "*BOUNDARY, FIXED", " W_END, 1, 2", "*BOUNDARY", " W_END, 4, 6"
     ]  # fmt: skip
-    with pytest.raises(ValueError, match="leave out value"):
-        step.boundary(wire.end, "x", value=1.0, fixed=True)
 
 
 def warm_wire():

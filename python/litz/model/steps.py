@@ -141,8 +141,6 @@ class Step:
         last: Direction | None = None,
         value: float = 0.0,
         amplitude: Amplitude | str | None = None,
-        *,
-        fixed: bool = False,
     ) -> None:
         """Prescribe a value as `*BOUNDARY` does.
 
@@ -156,16 +154,12 @@ class Step:
             Value at the end of the step [m, rad, V].
         amplitude : Amplitude or str, optional
             Factor over time.
-        fixed : bool
-            What is named stays what it is when the step begins, in this step and later ones; there is no value then.
         """
-        if fixed and (value or amplitude is not None):
-            raise ValueError("what is fixed stays what it is: leave out value and amplitude")
         first = degree_of_freedom(first)
         last = first if last is None else degree_of_freedom(last)
         if last < first:
             raise ValueError(f"the last degree of freedom, {last}, comes before the first, {first}")
-        item = Prescribed(self._model.target(nodes), first, last, value, self._amplitude(amplitude), fixed)
+        item = Prescribed(self._model.target(nodes), first, last, value, self._amplitude(amplitude))
         check_card("BOUNDARY", {}, [[item.target, first, last, value]])
         self.prescribed.append(item)
 
@@ -196,8 +190,7 @@ class Step:
 
     def hold_here(self, nodes: AnyNodes, *directions: Direction) -> None:
         """Hold nodes where they are when the step begins, as `*BOUNDARY, FIXED` does; directions as those of `hold`."""
-        for first, last in ranges_of(directions):
-            self.boundary(nodes, first, last, fixed=True)
+        self.prescribed += [Prescribed(self._model.target(nodes), *dofs, fixed=True) for dofs in ranges_of(directions)]
 
     def potential(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """Prescribe a potential [V]."""
