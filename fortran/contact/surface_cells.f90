@@ -153,7 +153,8 @@ contains
       relative%across = 1/axis%radius + curvature*e(2)**2
       relative%of_surface = curvature*e(1)**2
       relative%along = bend/max(1 + bend*axis%radius, 0.5_dp) + relative%of_surface
-      relative%mixed = curvature*e(1)*e(2)
+      ! of round wire and surface where they touch: 0 with D'' and no other way, be the axis bent and askew as it may
+      relative%determinant = relative%opening*(1/axis%radius + curvature)/max(1 + bend*axis%radius, 0.5_dp)
       if (.not. relative%opening > 0) return
       relative%deepest = max(dent, axis%radius - distance) &
          + dot_product(normal, x1)**2/(2*relative%opening*dot_product(x1, x1))             ! delta + t^2/(2 k)

@@ -19,8 +19,8 @@ module litz_rigid_line
 
    !> How wire and surface part from each other.
    type :: relative_curvature_t
-      !> Relative curvature of the surfaces across and along the wire, and the mixed one [1/m]
-      real(dp) :: across = 0, along = 0, mixed = 0
+      !> Relative curvature of the surfaces across and along the wire [1/m], product of the principal ones [1/m^2]
+      real(dp) :: across = 0, along = 0, determinant = 0
       !> Curvature of the surface along the wire [1/m]
       real(dp) :: of_surface = 0
       !> Second derivative of the gap along the wire [1/m]
@@ -145,12 +145,12 @@ contains
       type(hertz_ellipse_t), intent(out) :: ellipse
       !> There is one
       logical, intent(out) :: exists
-      real(dp) :: mean, half_difference, principal(2)
+      real(dp) :: mean, principal(2)
       integer :: info
 
       mean = (curvature%across + curvature%along)/2
-      half_difference = hypot((curvature%across - curvature%along)/2, curvature%mixed)
-      principal = [mean + half_difference, mean - half_difference]
+      principal(1) = mean + sqrt(max(0.0_dp, mean**2 - curvature%determinant))
+      principal(2) = curvature%determinant/principal(1)
       exists = curvature%opening > 0 .and. principal(2) > epsilon(mean)*principal(1)
       if (.not. exists) return
       call hertz_ellipse(1/principal, [young, rigid*young], [poisson, 0.0_dp], pi/2, ellipse, info)
