@@ -101,14 +101,13 @@ def _page(results: Results, processes: int) -> str:
         pictures = import_module(".report_pictures", __package__)
         drawn = pictures.Pictures(results, Path(folder), processes) if len(results.times) else None
         failure = _failure(results)
-        if processes and drawn:
+        if drawn:
             drawn.finish()
         finish_texts()
         title, head, tail = json.loads(texts.read_text(encoding="utf-8"))
         sections = [*head, *failure, *tail]
         deck = ["<h2>Deck</h2>", _deck(results)]
         if drawn:
-            drawn.finish()
             room = _MAX_PAGE - sum(map(len, [*sections, *deck]))
             sections += drawn.figures(max(_MIN_PICTURES, room))
     return page(f"{title} - litz", "\n".join([*sections, *deck]), _STYLE + viewer_style())

@@ -53,14 +53,11 @@ class Pictures:
         self._finish_wires = begin_wires(
             results, [wanted[n].field for n in wires], [self._paths[n] for n in wires], _SIZE_OF_WIRES
         )
-        self._are_drawn = False
 
     def finish(self) -> None:
         """Wait for all pictures, and draw what nobody else does."""
-        if not self._are_drawn:
-            self._finish_wires()
-            self._finish_charts()
-            self._are_drawn = True
+        self._finish_wires()
+        self._finish_charts()
 
     def figures(self, room: int) -> list[str]:
         """The section of a page with all pictures, in a number of letters."""
