@@ -275,10 +275,13 @@ contains
       call add_storage(table, of_temperature)
       call add_sections(table)
       call begin(k, 'TRANSVERSE SHEAR STIFFNESS', place_model, &
-         'Shear stiffnesses of B31 elements, replacing those of'// &
-         ' the section.', after='BEAM SECTION')
-      call k%add_data([real_field('GA2', 'N', 'for shear along n1', limit_positive), &
-         real_field('GA3', 'N', 'for shear along n2', limit_positive)])
+         'Shear stiffnesses of B31 elements, replacing those of the section, in the order of Abaqus: that along the'// &
+         ' second axis comes first. One that is 0 or left out is like the other, with the word SCF that of the'// &
+         ' section.', after='BEAM SECTION')
+      call k%add_data([real_field('K23', 'N', 'for shear along n2', limit_not_negative, required=.false.), &
+         real_field('K13', 'N', 'for shear along n1', limit_not_negative, required=.false.), &
+         name_field('SCF', 'accepted: the slenderness compensation factor of Abaqus, a number or the word SCF;'// &
+         ' slender elements of litz do not lock, and none softens their shear', required=.false.)])
       call finish(table, k)
 
       from_node = [real_field('x1', 'm', 'from the node along n1'), real_field('x2', 'm', 'along n2')]

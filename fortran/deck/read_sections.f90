@@ -1,6 +1,7 @@
 !> *BEAM SECTION and *BEAM GENERAL SECTION: shape, material and first axis of cross-sections.
 module litz_read_sections
    use litz_kinds, only: dp, pi
+   use litz_numbers, only: parse_real, number_ok
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_model, only: model_t, section_t, material_t, shear_given, shear_round, shear_by_factors
@@ -47,17 +48,7 @@ contains
             call assign_section(self, model, card, n, section_line)
          case ('TRANSVERSE SHEAR STIFFNESS')
             call read_only_line(self, card, ok)
-            if (.not. ok .or. n == 0) cycle
-            if (abs(model%sections(n)%turn) > 0) then
-               call fail_at(self, self%deck%cards(card)%name, 'shear stiffnesses along n1 and n2 are given where'// &
-                  ' these'// &
-                  ' are principal axes of the section; here they are turned by '// &
-                  to_text(model%sections(n)%turn*180/pi)//' degrees')
-               cycle
-            end if
-            model%sections(n)%ga2 = self%values%real(1)
-            model%sections(n)%ga3 = self%values%real(2)
-            model%sections(n)%shear = shear_given
+            if (ok .and. n > 0) call set_given_shear(self, card, model%sections(n))
          case ('CENTROID', 'SHEAR CENTER')
             call read_only_line(self, card, ok)
             if (ok .and. n > 0) call set_centre(self, card, section_card, model%sections(n))
@@ -163,6 +154,44 @@ contains
       ! as in Abaqus, where no axis is given; the axes of round sections are of no consequence
       if (allocated(shape%corners)) section%n1 = default_axis
    end subroutine set_shape
+
+   !> Shear stiffnesses that the deck gives, along n2 and n1, in place of those of the section.
+   !> Source: Abaqus, *TRANSVERSE SHEAR STIFFNESS: K23, K13, slenderness compensation factor.
+   subroutine set_given_shear(self, card, section)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(section_t), intent(inout) :: section
+      real(dp) :: along_n2, along_n1, factor
+      integer :: status
+
+      along_n2 = self%values%real(1)
+      along_n1 = self%values%real(2)
+      if (name_of(self, self%values%token(3)) /= 'SCF') then
+         call parse_real(self%deck%text(self%values%token(3)), factor, status)
+         if (self%values%given(3) .and. (status /= number_ok .or. factor < 0)) then
+            call fail_at(self, self%values%token(3), 'SCF must be a number, 0 or greater, or the word SCF; found '// &
+               self%deck%shown(self%values%token(3)))
+            return
+         end if
+         if (.not. max(along_n1, along_n2) > 0) then
+            call fail_at(self, self%deck%line_token(self%deck%cards(card)%first_data), 'a shear stiffness is'// &
+               ' missing: K23, for shear along n2, or K13, for shear along n1')
+            return
+         end if
+         if (.not. along_n1 > 0) along_n1 = along_n2
+         if (.not. along_n2 > 0) along_n2 = along_n1
+      end if
+      if (.not. max(along_n1, along_n2) > 0) return
+      if (abs(section%turn) > 0) then
+         call fail_at(self, self%deck%cards(card)%name, 'shear stiffnesses along n1 and n2 are given where these'// &
+            ' are principal axes of the section; here they are turned by '//to_text(section%turn*180/pi)//' degrees')
+         return
+      end if
+      if (along_n1 > 0) section%ga2 = along_n1
+      if (along_n2 > 0) section%ga3 = along_n2
+      section%shear = shear_given
+   end subroutine set_given_shear
 
    !> Centroid or shear centre of a GENERAL section, from the node along n1 and n2.
    subroutine set_centre(self, card, section_card, section)

@@ -617,6 +617,20 @@ KEYWORDS = [
         "IDLE",
     ),
     case(
+        "no shear stiffness",
+        "*AMPLITUDE",
+        "*TRANSVERSE SHEAR STIFFNESS\n , 0., 0.25\n*AMPLITUDE",
+        "a shear stiffness is missing: K23, for shear along n2, or K13, for shear along n1",
+        ", 0., 0.25",
+    ),
+    case(
+        "slenderness compensation that is no number",
+        "*AMPLITUDE",
+        "*TRANSVERSE SHEAR STIFFNESS\n 1e5, 1e5, SFC\n*AMPLITUDE",
+        "SCF must be a number, 0 or greater, or the word SCF; found",
+        "SFC",
+    ),
+    case(
         "material without elasticity",
         "*AMPLITUDE",
         "*MATERIAL, NAME=AL\n*BEAM SECTION, ELSET=NONE, MATERIAL=AL, SECTION=CIRC\n1.\n"

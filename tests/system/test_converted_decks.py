@@ -115,6 +115,32 @@ def test_what_is_left_out_is_told_with_its_reason_and_stands_as_a_comment(conver
     assert "** Section: Section-1\n" in text
 
 
+def test_a_deck_without_a_step_that_litz_has_says_so_and_nothing_that_follows_from_it(convert, litz, tmp_path):
+    text = CAE[: CAE.index("*Step, name=Load")]
+    text = text.replace("10, , , , ,\n", "10, , , , ,\n*Base Motion, dof=1, amplitude=Amp-1\n")
+    done, new = convert(text)
+    assert done.returncode == 1
+    _, others = done.stderr.split("comments, WITHOUT WHICH THE RESULTS ARE OTHERS:\n")
+    assert others.splitlines()[-1].strip() == "no *STEP is left: write one with *STATIC"
+    assert "** *Amplitude, name=Amp-1\n" in new
+    told = litz("check", "new.inp", cwd=tmp_path)
+    assert told.stderr.count("error:") == 1
+    assert "the deck ends without any *STEP" in told.stderr
+
+
+def test_definitions_that_nothing_uses_become_comments(convert, litz, tmp_path):
+    """Abaqus/CAE writes all that a model has; litz would take them for misspelt references."""
+    more = "*Amplitude, name=Amp-2\n0., 0., 1., 1.\n*Material, name=Brass\n*Density\n8.4e-9\n*Elastic\n100000., 0.35\n"
+    more += "*Surface Interaction, name=IntProp-1\n1.,\n*Friction\n 0.3\n"
+    done, new = convert(CAE.replace("*Boundary", more + "*Boundary"))
+    assert done.returncode == 0, done.stderr
+    for told in ("*AMPLITUDE, NAME=Amp-2", "*MATERIAL, NAME=Brass", "*SURFACE INTERACTION, NAME=IntProp-1"):
+        assert f"{told}: nothing uses it" in done.stderr
+    assert "** *Material, name=Brass\n** *Density\n** 8.4e-9\n** *Elastic\n** 100000., 0.35\n" in new
+    assert "\n*Amplitude, name=Amp-1\n" in new
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+
+
 @pytest.mark.parametrize("place", ["part", "assembly"])
 @pytest.mark.parametrize("system", ["R", "C"])
 def test_local_axes_of_nodes_are_kept(convert, litz, tmp_path, place, system):

@@ -64,6 +64,9 @@ def test_it_is_the_deck_that_convert_writes(deck, tmp_path):
         ("part=Bar\n 0., 0., 40.", "part=Beam\n 0., 0., 40.", "*Instance, name=Bar-2", "refers to the part Beam"),
         ("*End Assembly", "*Nset, nset=Middle, instance=Bra-1\n 2\n*End Assembly", "*Nset, nset=Middle",
          "*NSET: there is no instance 'Bra-1'; did you mean 'Bar-1'?"),
+        (" 1, 3, 1\n", " 1, 3, 1\n 4, 2000000000\n", "*Nset, nset=Set-1, generate",
+         "the instance Bar-1 has no number from 4 to 2000000000"),
+        (" 1, 2, 1\n", " 1\n", "*Elset, elset=Set-1, generate", "a range has a first and a last number"),
         ("Roots, ENCASTRE", "3, ENCASTRE", "*Boundary", "one of an instance is INSTANCE.3"),
         ("2., 6.\n", "2., -6.\n", "2., -6.", "must be"),
     ],
@@ -80,6 +83,17 @@ def test_messages_name_the_lines_of_the_deck(tmp_path, old, new, line, message):
     assert f"--> frame.inp:{number}" in done.stderr
     with pytest.raises(InputError, match=r"frame\.inp"):
         litz.check(tmp_path / "frame.inp")
+
+
+@pytest.mark.parametrize("last", [8, 2000000000])
+def test_numbers_of_a_range_that_no_node_has_are_skipped_as_in_flat_decks(tmp_path, last):
+    text = DECK.replace(
+        "*Nset, nset=Tip-2, instance=Bar-2\n 3,", f"*Nset, nset=Tip-2, instance=Bar-2, generate\n 3, {last}, 1"
+    )
+    (tmp_path / "frame.inp").write_text(text.replace("*Output", "*Node Print, nset=Tip-2\nU\n*Output"))
+    done = command("run", "frame.inp", "-o", "out", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_allclose(Results(tmp_path / "out").field("displacement")[5, 2], 2 * SAG, rtol=1e-7)
 
 
 def test_parts_may_be_in_included_files(tmp_path):

@@ -311,7 +311,7 @@ def test_the_program_accepts_strands_and_cables(name, litz, tmp_path):
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"lay_length": [1e-2, 1e-2]}, "1 layers need one lay length for all or 1"),
+        ({"lay_length": [1e-2, 1e-2]}, "1 layer needs one lay length; given are 2"),
         ({"lay_length": 0.0}, "lay length other than 0"),
         ({"lay_length": None}, "either lay_length or lay_angle"),
         ({"lay_length": None, "lay_angle": 2.0}, "below pi/2"),

@@ -83,9 +83,29 @@ def test_a_general_section_keeps_its_data_and_has_the_full_shear_area(check):
     assert "contact radius" not in "\n".join(lines)
 
 
-def test_given_shear_stiffnesses_replace_those_of_the_section(check):
-    lines = check(MODEL + "*TRANSVERSE SHEAR STIFFNESS\n 11., 13.\n" + STEP)
-    assert (value(lines, "GA2"), value(lines, "GA3")) == (11, 13)
+@pytest.mark.parametrize(
+    ("line", "along_n1", "along_n2"),
+    [
+        ("11., 13.", 13, 11),
+        ("11., 13., 0.25", 13, 11),
+        ("11.", 11, 11),
+        (", 13.", 13, 13),
+        ("0., 13., 0.", 13, 13),
+        ("11., 13., scf", 13, 11),
+    ],
+)
+def test_shear_stiffnesses_are_given_in_the_order_of_abaqus(check, line, along_n1, along_n2):
+    """K23, K13, slenderness compensation: one of the first two that is missing is like the other."""
+    lines = check(MODEL + f"*TRANSVERSE SHEAR STIFFNESS\n {line}\n" + STEP)
+    assert (value(lines, "GA2"), value(lines, "GA3")) == (along_n1, along_n2)
+
+
+def test_with_the_word_scf_shear_stiffnesses_that_are_missing_are_those_of_the_section(check):
+    own = check(MODEL + STEP)
+    for line in (", , SCF", "0., 0., SCF"):
+        assert check(MODEL + f"*TRANSVERSE SHEAR STIFFNESS\n {line}\n" + STEP) == own
+    lines = check(MODEL + "*TRANSVERSE SHEAR STIFFNESS\n 11., , SCF\n" + STEP)
+    assert (value(lines, "GA2"), value(lines, "GA3")) == (value(own, "GA2"), 11)
 
 
 # sets

@@ -323,7 +323,7 @@ def _lays(
     given = lengths if angles is None else angles
     values = [float(value) for value in _each(what, given, n_laid)]
     if not all(math.isfinite(value) and value != 0 for value in values):
-        raise ValueError(f"{n_laid} layers need a {what} other than 0 each; given are {values}")
+        raise ValueError(f"{_layers_need(n_laid)} a {what} other than 0 each; given are {values}")
     if angles is not None and not all(abs(value) < math.pi / 2 for value in values):
         raise ValueError(f"a lay angle is below pi/2 (90 degrees); given are {values}")
     if direction is not None and (not direction or set(direction.upper()) - set("SZ") or min(values) < 0):
@@ -350,8 +350,13 @@ def _each(what: str, value: Any, count: int) -> list[Any]:
     """A value for each of `count` layers, from one for all or a sequence."""
     values = list(value) if isinstance(value, Sequence | np.ndarray) else [value] * count
     if len(values) != count:
-        raise ValueError(f"{count} layers need one {what} for all or {count}; given are {len(values)}: {values}")
+        allowed = f"one {what}" if count == 1 else f"one {what} for all or {count}"
+        raise ValueError(f"{_layers_need(count)} {allowed}; given are {len(values)}: {values}")
     return values
+
+
+def _layers_need(count: int) -> str:
+    return "1 layer needs" if count == 1 else f"{count} layers need"
 
 
 def _name_bundles(model: Model, name: str, layers: list[list[Wire]], counts: list[int]) -> None:

@@ -291,9 +291,7 @@ class _Instances:
         members: list = []
         for row in card.data:
             if "GENERATE" in card:
-                first, last, *step = (int(value) for value in row if value is not None)
-                wanted = range(first, last + 1, *step)
-                members += [numbers[instance.upper(), one] for one in wanted if (instance.upper(), one) in numbers]
+                members += self._in_range(row, numbers, instance)
             else:
                 for value in row:
                     if isinstance(value, str) and f"{prefix}{value}".upper() in self.sets:
@@ -305,6 +303,21 @@ class _Instances:
         card.data = [members[i : i + 16] for i in range(0, len(members), 16)]
         if not prefix:
             self.sets.add(str(card.get("NSET", card.get("ELSET", ""))).upper())
+
+    @staticmethod
+    def _in_range(row: Sequence[Value], numbers: dict[tuple[str, int], int], instance: str) -> list[int]:
+        """Those of the instance that are in a range; as in flat decks, numbers that do not exist are skipped."""
+        values = [int(value) for value in row if value is not None]
+        if len(values) < 2:
+            raise ValueError("a range has a first and a last number")
+        first, last, *step = values
+        in_range = range(first, last + 1, *step)
+        # a range may be much longer than the mesh
+        wanted = in_range if len(in_range) <= len(numbers) else sorted(one for _, one in numbers if one in in_range)
+        found = [numbers[instance.upper(), one] for one in wanted if (instance.upper(), one) in numbers]
+        if not found:
+            raise ValueError(f"the instance {instance} has no number from {first} to {last}")
+        return found
 
     @staticmethod
     def _item(value: Value, numbers: dict[tuple[str, int], int], instance: str) -> Value:

@@ -15,6 +15,7 @@ from .face_pressures import pressures_as_forces
 from .foreign_parameters import remove_foreign_parameters
 from .general_contact import general_contact
 from .materials import General, Material
+from .unused_definitions import unused_definitions
 
 
 @dataclass
@@ -76,15 +77,18 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         if reason:
             converted.left_out.append(reason)
     commented |= _replace_general_contact(cards, chunks, converted)
-    for first, last in _steps(cards):
-        reason = _reason_to_leave_out(cards[first : last + 1])
+    steps = [(first, last, _reason_to_leave_out(cards[first : last + 1])) for first, last in _steps(cards)]
+    has_step = any(not reason for *_, reason in steps)
+    for first, last, reason in steps:
         if reason:
             name = cards[first].get("NAME", "")
-            told = converted.ignored if _keeps_state(cards[first : last + 1]) else converted.left_out
+            told = converted.ignored if has_step and _keeps_state(cards[first : last + 1]) else converted.left_out
             told.append(f"*STEP{f', NAME={name}' if name else ''}: {reason}")
             for i in range(first, last + 1):
                 chunks[i] = _commented(cards[i], reason if i == first else "")
             commented |= set(range(first, last + 1))
+    if not has_step:
+        converted.left_out.append("no *STEP is left: write one with *STATIC")
     for i in _outside_of_steps(cards):
         if i - 1 not in commented:
             converted.left_out.append(f"*{cards[i].name} after *END STEP: it is in no step, and CalculiX ends there")
@@ -100,7 +104,19 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         at = 1 if cards and cards[0].is_a("HEADING") else 0
         chunks.insert(at, Card.make("UNITS", dict(units)).text)
     converted.text = "".join(chunk if chunk.endswith("\n") else chunk + "\n" for chunk in chunks)
+    _comment_unused_definitions(converted)
     return converted
+
+
+def _comment_unused_definitions(converted: ConvertedDeck) -> None:
+    """Make comments of definitions that nothing uses, or that only comments use by now."""
+    deck = Deck.parse(converted.text)
+    comments = {}
+    for cards, reason in unused_definitions(deck):
+        converted.ignored.append(reason)
+        comments.update({id(card): _commented(card, reason if card is cards[0] else "") for card in cards})
+    if comments:
+        converted.text = "".join([comments.get(id(card), card.text) for card in deck] + deck.tail)
 
 
 def _replace_general_contact(cards: list[Card], chunks: list[str], converted: ConvertedDeck) -> set[int]:

@@ -305,7 +305,8 @@ class General:
             rows.append(list(self.n1))
         yield "BEAM SECTION", _parameters(self, elset, material, "GENERAL"), rows
         if self.shear is not None:
-            yield "TRANSVERSE SHEAR STIFFNESS", {}, [list(self.shear)]
+            # the second axis comes first
+            yield "TRANSVERSE SHEAR STIFFNESS", {}, [list(self.shear[::-1])]
         if self.centroid is not None:
             yield "CENTROID", {}, [list(self.centroid)]
         if self.shear_center is not None:
