@@ -277,7 +277,7 @@ def test_sections_that_are_not_round_touch_where_a_contact_radius_is_given(check
 @pytest.mark.parametrize(("given", "load"), [("200., 1e9", "2, 1."), ("1e9, 200.", "3, 1.")])
 def test_the_first_shear_stiffness_is_for_forces_along_the_second_axis(litz, tmp_path, given, load):
     """As Abaqus orders them: K23, K13. A cantilever that shears alone, n1 along z and n2 along -y."""
-    section = f"*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=RECT\n 60, 60\n 0, 0, 1\n"
+    section = "*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=RECT\n 60, 60\n 0, 0, 1\n"
     section += f"*TRANSVERSE SHEAR STIFFNESS\n {given}, 0.25"
     (tmp_path / "deck.inp").write_text(DECK.format(section=section, element="B31", load=load))
     done = litz("run", "deck.inp", "-o", "out", cwd=tmp_path)
