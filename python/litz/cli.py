@@ -62,7 +62,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return getattr(import_module(f".commands.{module}", __package__), function)(arguments[1:])
         return _run_program(arguments)
     except LitzError as error:
-        print(f"error: {error}", file=sys.stderr)
+        # messages of the program say so themselves
+        print(f"error: {str(error).removeprefix('error: ')}", file=sys.stderr)
         return error.exit_code
     except BrokenPipeError:
         # the reader of the output, such as head, has read enough

@@ -236,7 +236,7 @@ class TestCommand:
         path = tmp_path / "model"
         done = self.call(program, CROSSED, "-o", path)
         assert done.returncode == 0
-        assert "24 nodes, 22 beams, 1 pairs that may touch" in done.stdout
+        assert "24 nodes, 22 beams, 1 pair that may touch" in done.stdout
         assert path.read_text().startswith(first)
         again = self.call(program, CROSSED, "-o", path)
         assert again.returncode == FileError.exit_code
@@ -253,9 +253,9 @@ class TestCommand:
         done = self.call("ccx", CROSSED, "-o", path)
         assert done.returncode == 0
         assert f"24 nodes, 22 beams; run it: ccx -i {tmp_path}/crossed_ccx" in done.stdout
-        assert "left out: contact of 1 pairs of elements" in done.stdout
+        assert "left out: contact of 1 pair of elements" in done.stdout
         assert "left out: potentials and currents" in done.stdout
-        assert "** left out: contact of 1 pairs of elements" in path.read_text()
+        assert "** left out: contact of 1 pair of elements" in path.read_text()
 
 
 #: A cantilever of steel, 100 mm long and 2 mm thick

@@ -73,7 +73,8 @@ def _export_model(arguments: list[str]) -> int:
         print(f"; run it: ccx -i {path.with_suffix('')}")
         print("".join(f"left out: {one}\n" for one in missing_in_ccx(model)), end="")
     else:
-        print(f", {len(model.pairs)} pairs that may touch")
+        n_pairs = len(model.pairs)
+        print(f", {n_pairs} pair{'s' * (n_pairs != 1)} that may touch")
         print("how to build the program with the elements: docs/user_element.md")
     return 0
 

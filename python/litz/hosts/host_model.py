@@ -5,13 +5,12 @@ import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card, Deck
-from ..deck.instances import deck_cards
+from ..deck.instances import deck_cards, flat_deck
 from ..errors import FileError
 from ..kernels import closest_points, contact_search
 from ..kernels.laws import NORMAL_LAWS, SPOT_FIELDS, SPOT_LAWS
@@ -19,19 +18,16 @@ from ..model.abaqus_mesh import read_numbered_deck
 from ..model.materials import Circular, Material
 from ..model.mesh import Mesh
 from ..runs import check
+from .host_conditions import POTENTIAL, HostConditions
 
-#: Degree of freedom of the potential in decks
-POTENTIAL = 9
-#: Names of supports, and the degrees of freedom that they hold
-_SUPPORTS = {"ENCASTRE": range(1, 7), "PINNED": range(1, 4)}
 #: Cards that are exported, or that another program does not need
 _KNOWN = frozenset(
     """
     *HEADING *NODE *ELEMENT *NSET *ELSET *MATERIAL *ELASTIC *ELECTRICAL CONDUCTIVITY *BEAM SECTION *SURFACE INTERACTION
-    *SURFACE BEHAVIOR *GAP ELECTRICAL CONDUCTANCE *CONTACT PAIR *BOUNDARY *CLOAD *STEP *STATIC *END STEP *INCLUDE *AMPLITUDE
-    *UNITS *NODE PRINT *EL PRINT *ENERGY PRINT *ELECTRODE PRINT *NODE FILE *EL FILE *OUTPUT *NODE OUTPUT *ELEMENT OUTPUT
-    *RESTART *CONTROLS *SOLUTION TECHNIQUE *SOLVER *CONTACT PRINT *CONTACT FILE *PREPRINT *PART *END PART *INSTANCE
-    *END INSTANCE *ASSEMBLY *END ASSEMBLY *TRANSFORM
+    *SURFACE BEHAVIOR *GAP ELECTRICAL CONDUCTANCE *CONTACT PAIR *BOUNDARY *CLOAD *CECURRENT *STEP *STATIC *END STEP
+    *INCLUDE *AMPLITUDE *UNITS *NODE PRINT *EL PRINT *ENERGY PRINT *ELECTRODE PRINT *NODE FILE *EL FILE *OUTPUT
+    *NODE OUTPUT *ELEMENT OUTPUT *RESTART *CONTROLS *SOLUTION TECHNIQUE *SOLVER *CONTACT PRINT *CONTACT FILE *PREPRINT
+    *PART *END PART *INSTANCE *END INSTANCE *ASSEMBLY *END ASSEMBLY *TRANSFORM
     """.replace(" ", "")
     .replace("\n", "")
     .split("*")
@@ -44,6 +40,8 @@ _KNOWN_PARAMETERS = {
 }
 #: Powers of the length in numbers of spot laws: hardness, film resistance times area, resistivity times free path
 _POWER_OF_LENGTH = {"H": -2, "sigma_f": 2, "rho_l": 2}
+#: Numbers of the axes of the user element
+_AXES = {"LINEAR": 1, "HERMITE": 2}
 #: How near to a node a crossing is at it, in half lengths of the element
 _AT_NODE = 1e-6
 #: Elements of one wire that enclose a smaller angle are no candidates: they go on in each other [cosine]
@@ -63,6 +61,8 @@ class Laws:
     data: tuple[float, ...] = ()
     #: 1: the linear voltage within an element is corrected
     voltage: int = 1
+    #: Number of the axis between the nodes
+    axis: int = _AXES["HERMITE"]
 
     @property
     def has_table(self) -> bool:
@@ -122,6 +122,10 @@ class HostModel:
         barred, unbarred, place = kind
         (a, copper_a), (b, copper_b) = self.sections[barred], self.sections[unbarred]
         laws = self.laws[place]
+        if any(section.surface_radius != section.radius for section in (a, b)):
+            raise FileError(
+                "a CONTACT RADIUS other than the radius of the wire cannot be exported: the contact element has one radius"
+            )
         if laws.spot and (copper_a.conductivity is None or copper_b.conductivity is None):
             names = " and ".join(m.name for m in (copper_a, copper_b) if m.conductivity is None)
             raise FileError(f"a contact with a spot law needs *ELECTRICAL CONDUCTIVITY of {names}")
@@ -134,7 +138,11 @@ class HostModel:
         """The same model in a unit of length of which `factor` make one of the deck's; newtons, volts and amperes stay."""
         sections = [
             (
-                Circular(section.radius * factor),
+                replace(
+                    section,
+                    radius=section.radius * factor,
+                    contact_radius=None if section.contact_radius is None else section.contact_radius * factor,
+                ),
                 replace(
                     material,
                     young=material.young / factor**2,
@@ -192,12 +200,13 @@ def read_host_model(path: str | os.PathLike[str], reach: float | None = None) ->
     """
     path = Path(path)
     check(path)
-    mesh, node_numbers, element_numbers = read_numbered_deck(path, "abaqus")
+    with flat_deck(path) as flat:
+        mesh, node_numbers, element_numbers = read_numbered_deck(flat, "abaqus")
+        cards = list(deck_cards(Deck.read(flat)))
     if not len(mesh.connectivity):
         raise FileError(f"{path} has no beams")
     sections, section_of = _sections(mesh, path)
     radius = np.array([sections[place][0].radius for place in section_of])
-    cards = list(deck_cards(Deck.read(path)))
     _warn_of_what_is_left_out(path, cards)
     reach = 2 * radius.max() if reach is None else reach
     near = _that_cross(mesh, contact_search(mesh.x, mesh.connectivity, radius, skin=reach))
@@ -215,9 +224,19 @@ def read_host_model(path: str | os.PathLike[str], reach: float | None = None) ->
         laws_of=laws_of,
         laws=laws,
     )
-    _read_conditions(model, cards, mesh.node_sets)
+    conditions = HostConditions(cards, node_numbers, mesh.node_sets)
+    model.supports, model.prescribed, model.loads = conditions.supports, conditions.prescribed, conditions.loads
+    model.local_axes = conditions.local_axes
+    _hold_potentials_of_insulators(model)
     _warn_of_crossings_at_nodes(path, model)
     return model
+
+
+def _hold_potentials_of_insulators(model: HostModel) -> None:
+    """The element has them as unknowns, and without a conductor nothing determines them."""
+    conducting = [element for element in range(len(model.connectivity)) if model.conducts(element)]
+    insulators = set(model.connectivity[model.pairs].ravel()) - set(model.connectivity[conducting].ravel())
+    model.supports |= {(int(row), POTENTIAL) for row in insulators}
 
 
 def _warn_of_crossings_at_nodes(path: Path, model: HostModel) -> None:
@@ -327,7 +346,7 @@ def _interactions(cards: list[Card]) -> dict[str, Laws]:
     for card in cards:
         if card.is_a("SURFACE INTERACTION"):
             name = str(card["NAME"]).upper()
-            found[name] = Laws(NORMAL_LAWS["hertz"], 0, 0.0)
+            found[name] = Laws(NORMAL_LAWS["hertz"], 0, 0.0, axis=_AXES[str(card.get("AXIS", "HERMITE")).upper()])
         elif card.is_a("SURFACE BEHAVIOR"):
             law = str(card["PRESSURE-OVERCLOSURE"]).lower()
             penalty = float(card[0, 0] or 0) if card.data and law == "linear" else 0.0
@@ -335,49 +354,10 @@ def _interactions(cards: list[Card]) -> dict[str, Laws]:
                 raise FileError(
                     f"the interaction {name} has a penalty per length only; the contact element is that of a crossing"
                 )
-            found[name] = Laws(NORMAL_LAWS[law], found[name].spot, penalty, found[name].data, found[name].voltage)
+            found[name] = replace(found[name], normal=NORMAL_LAWS[law], penalty=penalty)
         elif card.is_a("GAP ELECTRICAL CONDUCTANCE"):
             numbers = tuple(float(value) for row in card.data for value in row if isinstance(value, int | float))
             voltage = 0 if str(card.get("VOLTAGE", "")).upper() == "LINEAR" else 1
             spot = SPOT_LAWS[str(card["LAW"]).lower()]
-            found[name] = Laws(found[name].normal, spot, found[name].penalty, numbers, voltage)
+            found[name] = replace(found[name], spot=spot, data=numbers, voltage=voltage)
     return found
-
-
-def _prescribed(first: Any, last: Any = None, value: Any = None) -> tuple[int, int, float]:
-    """Degrees of freedom and value of a line of `*BOUNDARY`."""
-    return int(first), int(first if last is None else last), float(value or 0)
-
-
-def _read_conditions(model: HostModel, cards: list[Card], node_sets: dict[str, NDArray[np.int64]]) -> None:
-    """Supports, and what the first step prescribes and loads; an amplitude is taken as 1."""
-    row_of = {int(number): row for row, number in enumerate(model.node_numbers)}
-    sets = {name.upper(): members for name, members in node_sets.items()}
-    n_steps = 0
-    for card in cards:
-        if card.is_a("TRANSFORM"):
-            points = [float(value or 0) for value in [*card.data[0], *[0.0] * 6][:6]]
-            axes = (sets[str(card["NSET"]).upper()], str(card.get("TYPE", "R")).upper(), points)
-            model.local_axes.append(axes)
-        n_steps += card.is_a("STEP")
-        if n_steps > 1:
-            break
-        if not (card.is_a("BOUNDARY") or card.is_a("CLOAD")):
-            continue
-        for where, first, *rest in card.data:
-            rows = [row_of[where]] if isinstance(where, int) else sets[str(where).upper()]
-            if card.is_a("CLOAD"):
-                model.loads |= {(int(row), int(first)): float(rest[0]) for row in rows}  # type: ignore[arg-type]
-                continue
-            if isinstance(first, str):
-                dofs, value = _SUPPORTS[first.upper()], 0.0
-            else:
-                begin, end, value = _prescribed(first, *rest)
-                dofs = range(begin, end + 1)
-            for key in ((int(row), dof) for row in rows for dof in dofs):
-                if value == 0:
-                    model.supports.add(key)
-                    model.prescribed.pop(key, None)
-                else:
-                    model.prescribed[key] = value
-                    model.supports.discard(key)

@@ -6,10 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import FileError
-from .host_model import POTENTIAL, HostModel
+from .host_conditions import POTENTIAL
+from .host_model import HostModel
 
 #: Degree of freedom that stands for the potential
 _VOLTAGE = 11
+#: Conduction over the present length of an element
+_PRESENT = "CURRENT LENGTH"
 
 
 def abaqus_input(model: HostModel) -> str:
@@ -41,9 +44,10 @@ def _mesh(model: HostModel) -> Iterator[str]:
         yield from (f" {section.radius:.10g}", f" {_numbers(model.cross_direction(members))}")
     if not any(map(model.conducts, range(len(model.connectivity)))):
         return
+    moves = any(section.conduction == _PRESENT for section, _ in model.sections)
     yield from (
         "*USER ELEMENT, TYPE=U2, NODES=2, COORDINATES=3, PROPERTIES=2, I PROPERTIES=1, VARIABLES=2",
-        f" {_VOLTAGE}",
+        f" 1, 2, 3, {_VOLTAGE}" if moves else f" {_VOLTAGE}",
     )
     for place, (section, material) in enumerate(model.sections):
         if material.conductivity is None:
@@ -52,7 +56,7 @@ def _mesh(model: HostModel) -> Iterator[str]:
         for element in np.flatnonzero(model.section_of == place):
             yield f" {first_conductor + model.element_numbers[element]}, {_nodes(model, np.array([element]))}"
         yield f"*UEL PROPERTY, ELSET=CONDUCTORS_{place + 1}"
-        yield f" {_numbers([np.pi * section.radius**2, 1 / float(material.conductivity)])}, 0"  # type: ignore[arg-type]
+        yield f" {_numbers([np.pi * section.radius**2, 1 / float(material.conductivity)])}, {int(section.conduction == _PRESENT)}"  # type: ignore[arg-type]
 
 
 def _nodes(model: HostModel, elements: NDArray[np.int64]) -> str:
@@ -80,7 +84,7 @@ def _contacts(model: HostModel) -> Iterator[str]:
             yield f" {number}, {_nodes(model, pair)}"
         laws = model.laws[kind[2]]
         values = properties[kind] + [0.0] * (longest - len(properties[kind]))
-        data = [*(f"{value:.10g}" for value in values), *map(str, (laws.normal, laws.spot, 2, laws.voltage, 0))]
+        data = [*(f"{value:.10g}" for value in values), *map(str, (laws.normal, laws.spot, laws.axis, laws.voltage, 0))]
         yield f"*UEL PROPERTY, ELSET=CONTACTS_{place}"
         for i in range(0, len(data), 8):
             yield f" {', '.join(data[i : i + 8])}"

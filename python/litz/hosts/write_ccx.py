@@ -5,7 +5,8 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from ..errors import FileError
-from .host_model import POTENTIAL, HostModel
+from .host_conditions import POTENTIAL
+from .host_model import HostModel
 
 #: Elements: quadratic, which CalculiX takes for bricks of 20 nodes with reduced integration. Its linear ones (B31) lock
 _TYPE = "B32R"
@@ -50,9 +51,10 @@ def _mesh(model: HostModel) -> Iterator[str]:
 def missing_in_ccx(model: HostModel) -> list[str]:
     """What the model has and CalculiX is not given, in words."""
     missing = []
-    if len(model.pairs):
-        missing.append(f"contact of {len(model.pairs)} pairs of elements, as CalculiX has none between beams")
-    if any(dof == POTENTIAL for _, dof in {*model.supports, *model.prescribed, *model.loads}):
+    if n_pairs := len(model.pairs):
+        pairs = "1 pair" if n_pairs == 1 else f"{n_pairs} pairs"
+        missing.append(f"contact of {pairs} of elements, as CalculiX has none between beams")
+    if any(map(model.conducts, range(len(model.connectivity)))):
         missing.append("potentials and currents, as beams of CalculiX conduct none")
     return missing
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..errors import FileError
-from .host_model import POTENTIAL, HostModel
+from .host_conditions import POTENTIAL
+from .host_model import HostModel
 
 #: Unknowns of a node: motions, rotations, voltage
 _N_UNKNOWNS = 7
@@ -78,7 +79,7 @@ def _materials(model: HostModel) -> Iterator[str]:
     for place, (section, material) in enumerate(model.sections, start=1):
         resistivity = 1.0 if material.conductivity is None else 1 / float(material.conductivity)  # type: ignore[arg-type]
         yield from ("", f"MATErial,{len(model.sections) + place}", "  USER, 2")
-        yield _line(np.pi * section.radius**2, resistivity, "0")
+        yield _line(np.pi * section.radius**2, resistivity, str(int(section.conduction == "CURRENT LENGTH")))
     for place, kind in enumerate(model.contact_kinds(), start=1):
         laws = model.laws[kind[2]]
         wires, (penalty, *data) = model.contact_properties(kind)
@@ -88,7 +89,7 @@ def _materials(model: HostModel) -> Iterator[str]:
         yield from ("", f"MATErial,{2 * len(model.sections) + place}", "  USER, 1")
         yield _line(*wires)
         yield _line(penalty, *([] if laws.has_table else data))
-        yield f"  {laws.normal}, {laws.spot}, 2, {laws.voltage}, {len(pairs)}"
+        yield f"  {laws.normal}, {laws.spot}, {laws.axis}, {laws.voltage}, {len(pairs)}"
         for pair in pairs:
             yield _line(*pair)
 

@@ -217,15 +217,17 @@ def read_numbered_deck(path: Path, dialect: str) -> tuple[Mesh, NDArray[np.int64
     """The same, with the numbers of the nodes and of the elements in the deck."""
     reader = _reader_of(path, dialect)
     mesh = reader.mesh()
-    elements = {row: number for (_, number), rows in reader.elements.items() for row in rows}
     nodes = [number for _, number in reader.row_of]
-    if len(set(nodes)) < len(nodes) or len(set(elements.values())) < len(mesh.connectivity):
-        raise FileError(f"{path}: a number stands for several nodes or elements: litz numbers instances of parts alike")
-    return (
-        mesh,
-        np.array(nodes, dtype=np.int64),
-        np.array([elements[row] for row in range(len(elements))], dtype=np.int64),
-    )
+    if len(set(nodes)) < len(nodes) or len({number for _, number in reader.elements}) < len(reader.elements):
+        raise FileError(f"{path}: a number stands for several nodes or elements")
+    numbers = np.zeros(len(mesh.connectivity), dtype=np.int64)
+    halves = []
+    for (_, number), (row, *others) in reader.elements.items():
+        numbers[row] = number
+        halves += others
+    # second halves of quadratic beams
+    numbers[halves] = numbers.max(initial=0) + 1 + np.arange(len(halves))
+    return mesh, np.array(nodes, dtype=np.int64), numbers
 
 
 def _reader_of(path: Path, dialect: str | None) -> _DeckReader:
@@ -275,7 +277,8 @@ def round_section(path: Path, dialect: str | None, card: Card, material: Materia
         takes = "the radius" if dialect == "abaqus" else "one diameter, or two"
         raise ValueError(f"{where} has {len(values)} values on its first line; in the dialect {dialect} it is {takes}")
     if dialect == "abaqus":
-        return Circular(float(values[0]))
+        # parameters of litz
+        return Circular(float(values[0]), card.get("CONTACT RADIUS"), str(card.get("CONDUCTION", "REFERENCE LENGTH")))
     first, last = float(values[0]), float(values[-1])
     if first == last:
         return Circular(first / 2)
