@@ -294,6 +294,13 @@ def test_a_model_is_pressed_by_less_than_its_height(name):
         (lambda: build.fibre_mat((1, 1), 3, radius=1e-3, seed=1, orientation="felt"), "layered"),
         (lambda: build.fibre_mat((1, 1), 3, radius=1e-3, seed=1, spread=1.0), "spread"),
         (lambda: build.fibre_mat((1, 1), 20, radius=3e-2, seed=1), r"of 20 fibres fit"),
+        (lambda: build.fibre_mat(1e-2, 9, radius=1e-4, seed=1), "a mat, layered: its lengths along x and y"),
+        (lambda: build.fibre_mat((1, 1), 9, radius=1e-4, seed=1, orientation="isotropic"), "along x, y and z"),
+        (lambda: build.nanowire_film((1,), 9, length=1e-5, radius=3e-8, seed=1), "a film: its lengths along x and y"),
+        (
+            lambda: build.cable([3, 3], radius=4e-4, lay_lengths=[2e-2, 4e-2], length=1e-2),
+            "counts of the layers of each",
+        ),
         (lambda: build.wire_grid(2, 2, pitch=1e-3, radius=1e-3), "pitch"),
         (lambda: build.wire_grid(2, 2, pitch=1e-2, radius=1e-3, supports="all"), 'must be "between" or "ends"'),
         (lambda: build.nanowire_film((1, 1), 2, length=1e-2, radius=1e-3, seed=1), "electrodes"),

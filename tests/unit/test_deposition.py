@@ -125,7 +125,7 @@ def test_fibres_that_fall_on_each_other_fill_densely():
         (lambda: film(reach=RADIUS), "reach must be at least 10 radii"),
         (lambda: film(reach=1.0), "at most 1000 lengths"),
         (lambda: film(smallest_angle=1.6), "less than a right angle"),
-        (lambda: mat(length=None), "a deposited mat needs size"),
+        (lambda: mat(length=None), "a deposited mat needs a length"),
         (lambda: build.fibre_mat((1, 1), 3, radius=1e-3, seed=1, length=1.0), "for deposited mats"),
     ],
 )

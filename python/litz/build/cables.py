@@ -182,6 +182,8 @@ def cable(
       <9 wires LAYER1: 513 B33 elements, radius 0.00041, COPPER>
       contact among WIRES: TOUCH>
     """
+    if not all(isinstance(layers, Sequence | np.ndarray) for layers in stages):
+        raise ValueError(f"stages: the counts of the layers of each, from inside, as [[1, 6], [3]]; found {stages!r}")
     if len(stages) != len(lay_lengths) or not stages:
         raise ValueError(f"a lay length is needed for each of the {len(stages)} stages, not {len(lay_lengths)}")
     lays = [_lays(layers, lay, None, None) for layers, lay in zip(stages, lay_lengths, strict=True)]

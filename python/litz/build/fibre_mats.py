@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any, Literal
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
 from .deposition import DEFAULT_ELEMENTS, Piled, Rules, build, check_reach, deposit
 from .frame import add_plate, evenly, hold_in_frame, parallel_bars, unit
-from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_distance
+from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_distance, sides
 
 #: Random fibres tried per placed fibre before the mat counts as full
 _TRIES = 400
@@ -108,7 +108,8 @@ def fibre_mat(
     ValueError
         For arguments out of range, and when the fibres do not fit without overlap.
     """
-    if n_fibres < 1 or not radius > 0 or not all(side > 4 * radius for side in size):
+    box = sides(size, "xyz" if orientation == "isotropic" else "xy", f"a mat, {orientation}")
+    if n_fibres < 1 or not radius > 0 or not min(box) > 4 * radius:
         raise ValueError("a mat needs fibres of positive radius in a box with sides of more than two diameters")
     clearance = radius / 10 if clearance is None else clearance
     if not (overlap or clearance > 0):
@@ -119,33 +120,29 @@ def fibre_mat(
     n_straight = DEFAULT_ELEMENTS if n_elements is None else n_elements
     fibre: dict[str, Any] = {"radius": radius, "material": material, "element": element}
     if orientation == "layered":
-        if len(size) != 2:
-            raise ValueError("size of a layered mat: x and y; its height follows from the layers")
         _check_layers(n_layers, spread, smallest_angle, overlap)
         model = Model(f"Layered mat of {n_layers} x {n_fibres} fibres, seed {seed}")
         layers = {"n_layers": n_layers, "n_fibres": n_fibres, "spread": spread, "clearance": clearance}
         bars = {"number": n_bars, "radius": radius if bar_radius is None else bar_radius}
-        _stack(model, rng, np.array(size, dtype=float), fibre, layers, bars, n_straight)
+        _stack(model, rng, box, fibre, layers, bars, n_straight)
         model.element_set("WIRES", list(model.groups))
         names = ["PLATE_BOTTOM", *(f"LAYER{number}" for number in range(1, n_layers + 1)), "PLATE_TOP"]
         for pair in itertools.pairwise(names):
             model.contact(*pair, interaction=interaction)
     elif orientation == "isotropic":
-        if len(size) != 3:
-            raise ValueError("size of an isotropic mat: x, y and z")
         model = Model(f"Isotropic mat of {n_fibres} fibres, seed {seed}")
         distance = -math.inf if overlap else 2 * radius + clearance
-        ends = _isotropic(rng, n_fibres, np.array(size), distance, 4 * radius, smallest_angle)
-        model.wires("FIBRES", [rounded(straight(start, end, n_straight), max(size)) for start, end in ends], **fibre)
-        _hold_isotropic(model, size[2])
-        model.height = float(size[2])
+        ends = _isotropic(rng, n_fibres, box, distance, 4 * radius, smallest_angle)
+        model.wires("FIBRES", [rounded(straight(start, end, n_straight), max(box)) for start, end in ends], **fibre)
+        _hold_isotropic(model, box[2])
+        model.height = float(box[2])
         model.element_set("WIRES", list(model.groups))
         model.contact("WIRES", interaction=interaction, interference_fit=overlap)
     elif orientation == "deposited":
-        length = _checked_length(size, length, radius, overlap)
+        length = _checked_length(length, radius, overlap)
         reach = _REACH * radius if reach is None else reach
         check_reach(reach, radius, length)
-        rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
+        rules = Rules(box, length, radius, smallest_angle, _MARGIN * radius)
         title = f"Deposited mat of {n_fibres} fibres, seed {seed}"
         model = _deposited(title, n_fibres, rules, reach, clearance, seed, n_elements, fibre, interaction)
     else:
@@ -163,12 +160,10 @@ def _check_layers(n_layers: int, spread: float, smallest_angle: float, overlap: 
         raise ValueError("spread must be between 0 and half of (90 degrees minus the smallest angle)")
 
 
-def _checked_length(size: Sequence[float], length: float | None, radius: float, overlap: bool) -> float:
+def _checked_length(length: float | None, radius: float, overlap: bool) -> float:
     """The length of deposited fibres [m]."""
-    if len(size) != 2 or length is None or not length > 4 * radius or overlap:
-        raise ValueError(
-            "a deposited mat needs size: x and y, and a length of more than two diameters; it has no overlap"
-        )
+    if length is None or not length > 4 * radius or overlap:
+        raise ValueError("a deposited mat needs a length of more than two diameters; it has no overlap")
     return length
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..model import HERTZ_AND_HOLM, SILVER, Interaction, Material, Model
 from .deposition import Rules, build, check_reach, drop, pile_up
+from .geometry import sides
 
 #: Minimum distance of the end of a wire from any other wire, seen from above [radii]
 _MARGIN = 4.0
@@ -89,7 +90,8 @@ def nanowire_film(
     >>> film = nanowire_film((20e-6, 20e-6), 40, length=10e-6, radius=30e-9, seed=1, interaction=spots)
     >>> step = film.press(0.9 * film.height, voltage=1e-3)
     """
-    if n_wires < 1 or not radius > 0 or not length > 4 * radius or not min(size) > 4 * radius:
+    box = sides(size, "xy", "a film")
+    if n_wires < 1 or not radius > 0 or not length > 4 * radius or not min(box) > 4 * radius:
         raise ValueError("a film needs wires of positive radius; wires and film must be longer than two diameters")
     clearance = radius / 100 if clearance is None else clearance
     if not clearance > 0:
@@ -97,7 +99,7 @@ def nanowire_film(
     check_reach(reach, radius, length)
     if not 0 <= smallest_angle < math.pi / 2:
         raise ValueError(f"smallest_angle must be at least 0 and less than a right angle [rad], not {smallest_angle:g}")
-    rules = Rules(np.array(size, dtype=float), length, radius, smallest_angle, _MARGIN * radius)
+    rules = Rules(box, length, radius, smallest_angle, _MARGIN * radius)
     layout = drop(np.random.default_rng(seed), n_wires, rules)
     return build(
         f"Film of {n_wires} nanowires, seed {seed}",

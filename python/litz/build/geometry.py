@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,16 @@ from ..wires.curves import element_curves, hermite, hermite_slope
 _DIGITS = 7
 #: Turns of the search for the closest points of two curves, each of which leaves a small part of the error
 _TURNS = 12
+
+
+def sides(size: Sequence[float], axes: str, what: str) -> NDArray[np.float64]:
+    """The sides of a box along some axes [m]."""
+    if np.shape(size) != (len(axes),):
+        names = f"{', '.join(axes[:-1])} and {axes[-1]}"
+        raise ValueError(
+            f"size of {what}: its lengths along {names}, as ({', '.join(['1e-3'] * len(axes))}); found {size!r}"
+        )
+    return np.array(size, dtype=float)
 
 
 def rounded(x: ArrayLike, size: float) -> NDArray[np.float64]:
