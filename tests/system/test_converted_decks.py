@@ -128,6 +128,25 @@ def test_a_deck_without_a_step_that_litz_has_says_so_and_nothing_that_follows_fr
     assert "the deck ends without any *STEP" in told.stderr
 
 
+def test_smooth_steps_are_tables(convert, litz, tmp_path):
+    """Half of a smooth step is at half of its time, a quarter of the time has 0.1035 of it; increments end at each point."""
+    text = CAE.replace(
+        "name=Amp-1\n0., 0., 1., 1.\n", "name=Amp-1, definition=SMOOTH STEP\n 0., 0., 1., 1.,\n 2., 0.5\n"
+    )
+    done, new = convert(text.replace("1., 1., 1e-05, 1.", "0.25, 1., 1e-05, 0.25"))
+    assert done.returncode == 0, done.stderr
+    assert "DEFINITION=SMOOTH STEP of *AMPLITUDE, NAME=Amp-1 is a table" in done.stderr
+    points = new.split("*Amplitude, name=Amp-1\n")[1].split("*")[0].replace("\n", ",")
+    numbers = [float(value) for value in points.split(",") if value.strip()]
+    assert numbers[:2] == [0, 0]
+    assert numbers[-2:] == [2, 0.5]
+    assert litz("run", "new.inp", "-o", "out", cwd=tmp_path).returncode == 0
+    results = Results(tmp_path / "out")
+    deflection = [results.field("displacement", i)[5, 2] for i in (0, 5, 10, 15, 20)]
+    quarter = 0.25**3 * (10 - 15 * 0.25 + 6 * 0.25**2)
+    np.testing.assert_allclose(deflection / deflection[-1], [0, quarter, 0.5, 1 - quarter, 1], rtol=1e-6)
+
+
 def test_definitions_that_nothing_uses_become_comments(convert, litz, tmp_path):
     """Abaqus/CAE writes all that a model has; litz would take them for misspelt references."""
     more = "*Amplitude, name=Amp-2\n0., 0., 1., 1.\n*Material, name=Brass\n*Density\n8.4e-9\n*Elastic\n100000., 0.35\n"

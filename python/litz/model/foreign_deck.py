@@ -15,6 +15,7 @@ from .face_pressures import pressures_as_forces
 from .foreign_parameters import remove_foreign_parameters
 from .general_contact import general_contact
 from .materials import General, Material
+from .smooth_steps import smooth_steps_as_tables
 from .unused_definitions import unused_definitions
 
 
@@ -69,6 +70,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     surfaces = list(surfaces_as_sets(cards))
     for reason, matters in remove_foreign_parameters(cards):
         (converted.left_out if matters else converted.ignored).append(reason)
+    converted.ignored += smooth_steps_as_tables(cards)
     converted.left_out += pressures_as_forces(cards, dialect, path)
     chunks = [_converted(card, dialect, materials, path) for card in cards]
     commented = {place for place, _, _ in surfaces}
