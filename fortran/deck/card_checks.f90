@@ -21,6 +21,7 @@ contains
       integer :: card
       !> Name of the keyword that later ones may belong to
       character(len=:), allocatable :: parent
+      logical :: is_sound
 
       associate (n => self%deck%n_cards)
          allocate (self%spec(n), self%step(n), source=0)
@@ -37,8 +38,8 @@ contains
          do card = 1, n
             if (self%spec(card) == 0) cycle
             call check_parent(self, card, parent)
-            call check_parameters(self, card)
-            call check_data_lines(self, card)
+            call check_parameters(self, card, is_sound)
+            if (is_sound) call check_data_lines(self, card)
          end do
       end associate
    end subroutine check_cards
@@ -147,28 +148,32 @@ contains
       end associate
    end subroutine check_parent
 
-   subroutine check_parameters(self, card)
+   subroutine check_parameters(self, card, is_sound)
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
+      !> .false.: a parameter or a choice is none that litz has, so that it is not known what else the card should have
+      logical, intent(out) :: is_sound
       integer :: i, j, index
       integer, allocatable :: seen(:)
 
+      is_sound = .true.
       if (self%spec(card) == 0) return
       associate (keyword => self%table%keywords(self%spec(card)), given => self%deck%cards(card)%parameters)
          allocate (seen(size(keyword%parameters)), source=0)
          do i = 1, size(given)
             index = keyword%find_parameter(self%deck%text(given(i)%name))
             if (index == 0) then
-               call unknown_parameter(self, card, given(i)%name)
+               call unknown_parameter(self, card, given(i)%name, is_sound)
             else if (seen(index) > 0) then
                call fail_at(self, given(i)%name, 'the parameter '//trim(keyword%parameters(index)%name)// &
                   ' is given twice')
             else
                seen(index) = i
-               call check_parameter(self, card, i, keyword%parameters(index))
+               call check_parameter(self, card, i, keyword%parameters(index), is_sound)
             end if
          end do
+         if (.not. is_sound) return
          do j = 1, size(seen)
             if (seen(j) > 0 .or. .not. keyword%parameters(j)%required) cycle
             call fail_at(self, self%deck%cards(card)%name, '*'//trim(keyword%name)//' needs the parameter '// &
@@ -177,11 +182,13 @@ contains
       end associate
    end subroutine check_parameters
 
-   subroutine unknown_parameter(self, card, token)
+   subroutine unknown_parameter(self, card, token, is_sound)
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
       type(token_t), intent(in) :: token
+      !> Becomes .false. unless the parameter is ignored
+      logical, intent(inout) :: is_sound
       character(len=word_length), allocatable :: names(:)
       character(len=:), allocatable :: message, nearest, advice
       integer :: i
@@ -209,16 +216,19 @@ contains
          end if
       end associate
       call fail_at(self, token, message)
+      is_sound = .false.
    end subroutine unknown_parameter
 
    !> Value there or not, and of the right kind.
-   subroutine check_parameter(self, card, i, spec)
+   subroutine check_parameter(self, card, i, spec, is_sound)
       type(reader_t), intent(inout) :: self
       !> Index of the card
       integer, intent(in) :: card
       !> Index into the parameters of the card
       integer, intent(in) :: i
       type(parameter_spec_t), intent(in) :: spec
+      !> Becomes .false. where the value is no choice
+      logical, intent(inout) :: is_sound
       integer :: whole
       real(dp) :: real_value
       logical :: ok
@@ -235,6 +245,7 @@ contains
             call check_value(self, given%value, spec%kind, spec%limit, spec%choices, 'the parameter '// &
                trim(spec%name), &
                whole, real_value, ok)
+            if (spec%kind == kind_choice) is_sound = is_sound .and. ok
          end if
       end associate
    end subroutine check_parameter

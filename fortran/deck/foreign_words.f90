@@ -170,7 +170,7 @@ module litz_foreign_words
       ' --restart FILE.restart.h5[:STEP:INCREMENT] -o DIR`'), &
       foreign_word_t('RESTART', 'OVERLAY|NUMBER INTERVAL|TIME MARKS', '', 'leave it out', &
       role_idle), &
-      foreign_word_t('CONTROLS', 'RESET|ANALYSIS', '', 'leave it out')]
+      foreign_word_t('CONTROLS', 'RESET|ANALYSIS', '', 'leave the keyword out')]
 
    !> Values of parameters and of data lines
    type(foreign_word_t), parameter :: of_values(*) = [ &

@@ -149,6 +149,7 @@ contains
       do other = step_card + 1, card - 1
          if (keyword_of(self, other) /= keyword_of(self, card)) cycle
          if (present(parameter)) then
+            if (choice_of(self, card, parameter) == '') return
             if (choice_of(self, other, parameter) /= choice_of(self, card, parameter)) cycle
             what = what//', '//parameter//'='//self%deck%shown(parameter_of(self, card, parameter))
          end if

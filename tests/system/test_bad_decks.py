@@ -575,6 +575,27 @@ KEYWORDS = [
         "controls",
     ),
     case(
+        "controls of another program, with what only follows from it",
+        "*CLOAD",
+        "*CONTROLS, PARAMETERS=LINE SEARCH\n 4\n*CONTROLS, PARAMETERS=FIELD\n 1e-6\n*CLOAD",
+        "the parameter PARAMETERS must be FIELD, TIME INCREMENTATION, ROTATION or STABILIZE; found",
+        "LINE SEARCH",
+    ),
+    case(
+        "a misspelt parameter that is required",
+        "*CLOAD",
+        "*CONTROLS, PARAMTERS=FIELD\n 1e-6\n*CLOAD",
+        'unknown parameter "PARAMTERS" of *CONTROLS; did you mean PARAMETERS?',
+        "PARAMTERS",
+    ),
+    case(
+        "a parameter of another program in place of one that is required",
+        "*CLOAD",
+        "*CONTROLS, ANALYSIS=DISCONTINUOUS\n*CLOAD",
+        'unknown parameter "ANALYSIS" of *CONTROLS: leave the keyword out',
+        "ANALYSIS",
+    ),
+    case(
         "solver twice",
         "*CLOAD",
         "*SOLVER, NAME=UMFPACK\n*solver, NAME=BLOCK\n*CLOAD",

@@ -128,6 +128,19 @@ def test_a_deck_without_a_step_that_litz_has_says_so_and_nothing_that_follows_fr
     assert "the deck ends without any *STEP" in told.stderr
 
 
+def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, litz, tmp_path):
+    more = (
+        "*Controls, reset\n*Controls, analysis=DISCONTINUOUS\n*Controls, parameters=LINE SEARCH\n4, , , , \n"
+        "*Controls, parameters=FIELD, field=DISPLACEMENT\n0.01, 1., , , 0.02, , , \n"
+        "*Controls, parameters=TIME INCREMENTATION\n, , , , , , , 20, , , \n"
+    )
+    done, new = convert(CAE.replace("*Cload", more + "*Cload"))
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.count("*CONTROLS: increments and iterations are controlled otherwise") == 1
+    assert re.findall(r"^\*Controls.*", new, re.MULTILINE) == ["*Controls, parameters=TIME INCREMENTATION"]
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+
+
 def test_smooth_steps_are_tables(convert, litz, tmp_path):
     """Half of a smooth step is at half of its time, a quarter of the time has 0.1035 of it; increments end at each point."""
     text = CAE.replace(

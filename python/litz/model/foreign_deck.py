@@ -8,7 +8,7 @@ from pathlib import Path
 from ..base.program import program_path
 from ..deck import Card, Deck
 from ..deck.instances import deck_cards, flat_cards
-from ..deck.keyword_table import keywords, squeezed
+from ..deck.keyword_table import check_card, keywords, squeezed
 from .abaqus_mesh import round_section
 from .beam_surfaces import surfaces_as_sets
 from .face_pressures import pressures_as_forces
@@ -17,6 +17,8 @@ from .general_contact import general_contact
 from .materials import General, Material
 from .smooth_steps import smooth_steps_as_tables
 from .unused_definitions import unused_definitions
+
+_CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
 
 
 @dataclass
@@ -97,8 +99,8 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         chunks[i] = _commented(cards[i], "")
         commented.add(i)
     for i, card in enumerate(cards):
-        if i not in commented and not _known(card.name):
-            reason = _advice(card.name)
+        reason = "" if i in commented else _reason_for_comment(card)
+        if reason:
             # the program ignores cards that change no result, too
             (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
             chunks[i] = _commented(card, reason)
@@ -133,6 +135,26 @@ def _replace_general_contact(cards: list[Card], chunks: list[str], converted: Co
 
 def _known(name: str) -> bool:
     return any(squeezed(name) == squeezed(known) for known in keywords())
+
+
+def _reason_for_comment(card: Card) -> str:
+    """Why litz cannot take the card; empty: it has the keyword, whose parameters and values it checks itself."""
+    if card.is_a("CONTROLS") and not _is_taken(card):
+        return _CONTROLS
+    return "" if _known(card.name) else _advice(card.name)
+
+
+def _is_taken(card: Card) -> bool:
+    """Whether the program takes the card as it is."""
+    rows = [list(row) for row in card.data]
+    for row in rows:
+        while row and row[-1] is None:
+            row.pop()
+    try:
+        check_card(card.name, card.parameters, rows)
+    except ValueError:
+        return False
+    return True
 
 
 def _advice(name: str) -> str:
