@@ -68,7 +68,7 @@ module litz_keywords
       integer :: first = 1, last = 1
       !> The first of these lines must be there
       logical :: required = .true.
-      !> `PARAMETER=VALUE` with which it need not, or empty
+      !> `PARAMETER=VALUE`, or a parameter with any value, with which it need not, or empty
       character(len=48) :: optional_with = ''
       !> How often the fields may repeat on a line; 0: any number of times
       integer :: repeats = 1
@@ -209,7 +209,7 @@ contains
       type(field_spec_t), intent(in) :: fields(:)
       !> `PARAMETER=VALUE`: lines of this form are there only then; absent: always
       character(len=*), intent(in), optional :: when
-      !> `PARAMETER=VALUE`: the lines may be left out then
+      !> `PARAMETER=VALUE`, or a parameter with any value: the lines may be left out then
       character(len=*), intent(in), optional :: optional_with
       !> First and last of the data lines that have this form; `last` 0: any number of lines
       integer, intent(in), optional :: first, last

@@ -70,10 +70,8 @@ contains
 
       call begin(k, 'ELEMENT', place_model, 'Straight beam elements of two nodes.'// &
          describe_element_types()//' B31R and B31H: taken as B31. B33H: as B33. B32, B32R and B32H: two B31 each,'// &
-         ' from'// &
-         ' the first node to the middle one and on to the last; the second one has a number above all others,'// &
-         ' and is in'// &
-         ' all sets and loads of the first. Elements of a material with conductivity conduct.')
+         ' from the first node to the middle one and on to the last; the second one has a number above all others,'// &
+         ' and is in all sets and loads of the first. Elements of a material with conductivity conduct.')
       call k%add(choice('TYPE', element_type_choices(), 'kind of beam', required=.true.))
       call k%add(name('ELSET', 'element set that these elements are added to'))
       do i = 1, size(foreign_types)
@@ -96,6 +94,7 @@ contains
          'Defines a node set, or adds members to it. A set must be defined before it is used in'// &
          ' another set.')
       call k%add(name('NSET', 'name of the set', required=.true.))
+      call k%add(name('ELSET', 'an element set, all nodes of which are members'))
       call add_set_flags(k)
       call add_set_data(k, 'node')
       call finish(table, k)
@@ -192,7 +191,7 @@ contains
       character(len=*), intent(in) :: what
 
       call k%add_data([item_field(what, 'number of a '//what//', or name of another set; any number of them')], &
-         when='GENERATE=NO', last=0, repeats=0)
+         when='GENERATE=NO', last=0, repeats=0, optional_with=merge('ELSET', '     ', what == 'node'))
       call k%add_data([integer_field('first', 'first '//what, limit_positive), &
          integer_field('last', 'last '//what, limit_positive), &
          integer_field('step', 'step of the numbers, 1 when left out; numbers that do not exist are skipped', &

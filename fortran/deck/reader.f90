@@ -347,11 +347,15 @@ contains
       type(reader_t), intent(in) :: self
       !> Index of the card
       integer, intent(in) :: card
-      !> `PARAMETER=VALUE`
+      !> `PARAMETER=VALUE`, or a parameter that may have any value
       character(len=*), intent(in) :: choice
       integer :: equals
 
       equals = index(choice, '=')
+      if (equals == 0) then
+         has_choice = has_flag(self, card, trim(choice))
+         return
+      end if
       has_choice = choice_of(self, card, choice(:equals - 1)) == squeezed(trim(choice(equals + 1:)))
    end function has_choice
 

@@ -133,6 +133,7 @@ contains
          select case (keyword_of(self, card))
          case ('NSET')
             call read_set(self, card, 'node', self%node_sets, self%nodes, model%node_id)
+            call add_nodes_of_elements(self, card, model%connectivity)
          case ('ELSET')
             call read_set(self, card, 'element', self%element_sets, self%elements, model%element_id)
          end select
@@ -171,6 +172,30 @@ contains
          end do
       end associate
    end subroutine read_set
+
+   !> The nodes of the element set that a *NSET names; what the set has already is marked.
+   subroutine add_nodes_of_elements(self, card, connectivity)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Nodes of the elements (2, n_elements); 0: not understood
+      integer, intent(in) :: connectivity(:, :)
+      integer :: set, elements, entry, i
+
+      call find_set(self, 'element', self%element_sets, parameter_of(self, card, 'ELSET'), elements)
+      if (elements == 0) return
+      call open_set(self, self%node_sets, parameter_of(self, card, 'NSET'), set)
+      if (set == 0) return
+      entry = self%element_sets%head(elements)
+      do while (entry > 0)
+         do i = 1, 2
+            associate (node => connectivity(i, self%element_sets%member(entry)))
+               if (node > 0) call add_once(self%node_sets, set, node)
+            end associate
+         end do
+         entry = self%element_sets%next(entry)
+      end do
+   end subroutine add_nodes_of_elements
 
    !> A node, or an element with its second half where it has one.
    subroutine add_item(self, what, builder, set, index)

@@ -236,6 +236,9 @@ class PlainReader:
                 continue
             known = self.nodes if kind == "NSET" else self.elements
             members = self.members(kind, parameters[kind])
+            if kind == "NSET" and "ELSET" in parameters:
+                elements = self.sets["ELSET"][capitals(parameters["ELSET"])]
+                members |= {node for element in elements for node in self.elements[element][1:]}
             for line in data:
                 if "GENERATE" in parameters:
                     first, last, step = [*map(int, values(line)), 1][:3]

@@ -668,6 +668,13 @@ KEYWORDS = [
         "ELECTRICAL CONDUCTIVITY",
         at="*ELECTRICAL CONDUCTIVITY",
     ),
+    case(
+        "nodes of a set of elements that is not there",
+        "*MATERIAL",
+        "*NSET, NSET=OF, ELSET=LOVER\n*MATERIAL",
+        "there is no element set",
+        "LOVER",
+    ),
     case("data lines missing", "PLUS\n1, 2\n", "PLUS\n1, 2\n*NSET, NSET=MORE\n", "*NSET needs at least 1", "NSET"),
     case(
         "too many data lines",

@@ -267,6 +267,7 @@ FREE_VALUES = {
     ("LORENTZ", "dBz/dz"): "a field has no divergence",
     ("BEAM SECTION", "I12"): "angle of the principal axes and second moments about them count",
     ("BEAM SECTION", "OFFSET1"): "the shear centre counts", ("BEAM SECTION", "OFFSET2"): "the shear centre counts",
+    ("NSET", "ELSET"): "its nodes count",
     ("CECURRENT", "dof"): "9 or empty", ("TRANSVERSE SHEAR STIFFNESS", "SCF"): "softens nothing",
     ("RIGID SURFACE", "TYPE"): "tested with rigid surfaces",
     ("RIGID SURFACE", "RADIUS AMPLITUDE"): "tested with surfaces that shrink",

@@ -96,6 +96,21 @@ def test_numbers_of_a_range_that_no_node_has_are_skipped_as_in_flat_decks(tmp_pa
     np.testing.assert_allclose(Results(tmp_path / "out").field("displacement")[5, 2], 2 * SAG, rtol=1e-7)
 
 
+def test_nodes_of_element_sets_of_parts_and_instances(tmp_path):
+    """In the part, and of one instance in the assembly: the element at the tip of the second bar has nodes 2 and 3."""
+    text = DECK.replace("** Section", "*Elset, elset=Last\n 2\n*Nset, nset=Both, elset=Last\n** Section")
+    text = text.replace("*End Assembly", "*Nset, nset=Of, elset=Last, instance=Bar-2\n*End Assembly")
+    text = text.replace("*Output", "*Node Print, nset=Of\nU\n*Node Print, nset=Bar-2.Both\nU\n*Output")
+    (tmp_path / "frame.inp").write_text(text)
+    told = command("check", "frame.inp", cwd=tmp_path)
+    assert told.returncode == 0, told.stderr
+    for name in ("OF", "BAR-1.BOTH", "BAR-2.BOTH"):
+        assert f"node set {name}: 2 members" in told.stdout
+    mesh = litz.read_mesh(tmp_path / "frame.inp", dialect="abaqus")
+    np.testing.assert_allclose(mesh.x[mesh.node_sets["Of"], 1], [50, 100])
+    np.testing.assert_allclose(mesh.x[mesh.node_sets["Bar-1.Both"], 0], [50, 100])
+
+
 def test_parts_may_be_in_included_files(tmp_path):
     first, last = DECK.index("*Part"), DECK.index("*Assembly")
     (tmp_path / "mesh").mkdir()

@@ -240,7 +240,7 @@ class _Instances:
         if "REF NODE" in card:
             card["REF NODE"] = self._item_or_set(card["REF NODE"], self.nodes, instance, prefix)
         for parameter in ("NSET", "ELSET", "TIE NSET", "PIN NSET"):
-            if prefix and parameter in card:
+            if prefix and parameter in card and not str(card[parameter]).startswith(prefix):
                 name = prefix + str(card[parameter])
                 self.sets.add(name.upper())
                 card[parameter] = name
@@ -298,6 +298,9 @@ class _Instances:
                         members.append(f"{prefix}{value}")
                     elif value is not None:
                         members.append(self._item(value, numbers, instance))
+        elements = card.get("ELSET") if card.is_a("NSET") else None
+        if instance and elements is not None and f"{instance}.{elements}".upper() in self.sets:
+            card["ELSET"] = f"{instance}.{elements}"
         if "GENERATE" in card:
             del card["GENERATE"]
         card.data = [members[i : i + 16] for i in range(0, len(members), 16)]

@@ -130,8 +130,10 @@ def _holds(when: str | None, description: dict[str, Any], parameters: Mapping[st
     """Whether a form of the data lines applies to the given parameters."""
     if when is None:
         return True
-    name, wanted = when.split("=")
+    name, _, wanted = when.partition("=")
     given = next((value for key, value in parameters.items() if squeezed(key) == squeezed(name)), None)
+    if not wanted:
+        return given is not None
     if given is None:
         default = next(p["default"] for p in description["parameters"] if squeezed(p["name"]) == squeezed(name))
         given = default or "NO"

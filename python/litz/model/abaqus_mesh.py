@@ -171,6 +171,13 @@ class _DeckReader:
     def _collect(self, sets: dict[str, list[_Key]], name: str, card: Card) -> None:
         """Members of a set: numbers, names of sets, ranges."""
         members = self._set(sets, name)
+        if card.is_a("NSET") and "ELSET" in card:
+            of_instance = _spelt(f"{card.get('INSTANCE')}.{card['ELSET']}", self.element_sets)
+            name = of_instance if of_instance in self.element_sets else str(card["ELSET"])
+            elements = self._set_named(self.element_sets, name)
+            members += [
+                node for element in elements for row in self.elements.get(element, ()) for node in self.pairs[row]
+            ]
         for row in card.data:
             if "GENERATE" in card:
                 first, last, *step = (self._key(value, card)[1] for value in row if value is not None)
