@@ -128,6 +128,65 @@ def test_a_deck_without_a_step_that_litz_has_says_so_and_nothing_that_follows_fr
     assert "the deck ends without any *STEP" in told.stderr
 
 
+#: A reference point 20 behind the tip of the first bar, and what Abaqus/CAE writes of its coupling
+COUPLED = CAE.replace(
+    "*End Assembly",
+    "*Node\n 1, 120., 0., 0.\n*Nset, nset=RP-1\n 1,\n*Nset, nset=Tip-1, instance=Bar-1\n 3,\n"
+    "*Elset, elset=Last, instance=Bar-1\n 2,\n"
+    "*Surface, type=NODE, name=Tip-1_CNS_, internal\nTip-1, 1.\n"
+    "*Coupling, constraint name=Constraint-1, ref node=RP-1, surface=Tip-1_CNS_\n*Kinematic\n*End Assembly",
+).replace("Bar-1.3, 3, 1e-3", "RP-1, 3, 1e-3")
+
+
+def test_a_kinematic_coupling_is_a_rigid_body(convert, litz, tmp_path):
+    done, _ = convert(COUPLED)
+    assert done.returncode == 0, done.stderr
+    assert "*COUPLING of RP-1 and Tip-1_CNS_ is a *RIGID BODY, TIE NSET=Tip-1_CNS_" in done.stderr
+    run = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    moved = Results(tmp_path / "out").field("displacement")
+    bending = 210000 * 2 * 6**3 / 12
+    # the force, and its moment about the tip
+    sag = 1e-3 * (100**3 / 3 + 20 * 100**2 / 2) / bending
+    slope = 1e-3 * (100**2 / 2 + 20 * 100) / bending
+    np.testing.assert_allclose(moved[[2, 6], 2], [sag, sag + 20 * slope], rtol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "cards"),
+    [
+        ("*Kinematic\n", "*Kinematic\n1, 6\n", ["*NSET, NSET=Tip-1_CNS_\n", "*RIGID BODY, REF NODE=RP-1, TIE NSET=Tip-1_CNS_\n"]),
+        ("*Kinematic\n", "*Kinematic\n1, 1\n2, 3\n", ["*RIGID BODY, REF NODE=RP-1, PIN NSET=Tip-1_CNS_\n"]),
+        (
+            "type=NODE, name=Tip-1_CNS_, internal\nTip-1, 1.",
+            "type=ELEMENT, name=Tip-1_CNS_\nLast,",
+            ["*NSET, NSET=Tip-1_CNS_, ELSET=Last\n", "*RIGID BODY, REF NODE=RP-1, TIE NSET=Tip-1_CNS_\n"],
+        ),
+    ],
+)  # fmt: skip
+def test_nodes_of_couplings_are_tied_or_pinned(convert, litz, tmp_path, old, new, cards):
+    done, text = convert(COUPLED.replace(old, new))
+    assert done.returncode == 0, done.stderr
+    assert all(card in text for card in cards)
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("*Kinematic\n", "*Kinematic\n2, 3\n"),
+        ("*Kinematic\n", "*Distributing\n"),
+        ("surface=Tip-1_CNS_", "surface=Tip-1_CNS_, influence radius=3."),
+        ("type=NODE, name=Tip-1_CNS_, internal\nTip-1, 1.", "type=ELEMENT, name=Tip-1_CNS_\nBar-1.Set-1, END2"),
+    ],
+)
+def test_other_couplings_are_comments_that_matter(convert, old, new):
+    done, text = convert(COUPLED.replace(old, new))
+    assert done.returncode == 1
+    assert "*COUPLING" in done.stderr.split("RESULTS ARE OTHERS")[1]
+    assert "** *Coupling, " in text
+
+
 def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, litz, tmp_path):
     more = (
         "*Controls, reset\n*Controls, analysis=DISCONTINUOUS\n*Controls, parameters=LINE SEARCH\n4, , , , \n"

@@ -14,6 +14,7 @@ from .beam_surfaces import surfaces_as_sets
 from .face_pressures import pressures_as_forces
 from .foreign_parameters import remove_foreign_parameters
 from .general_contact import general_contact
+from .kinematic_couplings import couplings_as_rigid_bodies
 from .materials import General, Material
 from .smooth_steps import smooth_steps_as_tables
 from .unused_definitions import unused_definitions
@@ -69,6 +70,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     cards = flat_cards(path)
     converted = ConvertedDeck("")
     materials = _materials(cards)
+    converted.ignored += couplings_as_rigid_bodies(cards)
     surfaces = list(surfaces_as_sets(cards))
     for reason, matters in remove_foreign_parameters(cards):
         (converted.left_out if matters else converted.ignored).append(reason)
