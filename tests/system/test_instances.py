@@ -69,6 +69,8 @@ def test_it_is_the_deck_that_convert_writes(deck, tmp_path):
         (" 1, 2, 1\n", " 1\n", "*Elset, elset=Set-1, generate", "a range has a first and a last number"),
         ("Roots, ENCASTRE", "3, ENCASTRE", "*Boundary", "one of an instance is INSTANCE.3"),
         ("2., 6.\n", "2., -6.\n", "2., -6.", "must be"),
+        ("*End Part", "*Rigid Surface, name=Floor, type=PLANE\n 0, 0, 0, 0, 0, 1\n*End Part", "*Rigid Surface",
+         "write it outside of parts and instances"),
     ],
 )  # fmt: skip
 def test_messages_name_the_lines_of_the_deck(tmp_path, old, new, line, message):
@@ -119,6 +121,18 @@ def test_parts_may_be_in_included_files(tmp_path):
     done = command("run", "frame.inp", "-o", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     np.testing.assert_allclose(Results(tmp_path / "out").field("displacement")[5, 2], 2 * SAG, rtol=1e-7)
+
+
+def test_round_wires_of_turned_instances_need_no_axis(tmp_path):
+    """Along z in the part, where the default axis of Abaqus is along them."""
+    text = DECK.replace(" 2, 50., 0., 0.\n 3, 100., 0., 0.", " 2, 0., 0., 50.\n 3, 0., 0., 100.")
+    text = text.replace("section=RECT\n2., 6.\n0.,1.,0.", "section=CIRC\n 2.").replace(", 3, 1e-3", ", 1, 1e-3")
+    text = text.replace("0., 0., 41., 90.", "1., 0., 40., 90.").replace("Tip-2, 3", "Tip-2, 1")
+    (tmp_path / "frame.inp").write_text(text)
+    done = command("run", "frame.inp", "-o", "out", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    sag = 1e-3 * 100**3 / (3 * 210000 * np.pi * 2**4 / 4)
+    np.testing.assert_allclose(Results(tmp_path / "out").field("displacement")[[2, 5], 0], [sag, 2 * sag], rtol=1e-7)
 
 
 def test_reference_nodes_and_equations_of_instances(tmp_path):

@@ -197,12 +197,17 @@ class _Instances:
             self._turn_axis(copy, instance)
         elif copy.is_a("TRANSFORM"):
             self._place_axes(copy, instance)
+        elif copy.is_a("RIGID SURFACE"):
+            raise self._error(card, "a *RIGID SURFACE has its place by itself: write it outside of parts and instances")
         return self._renumbered(copy, name, f"{name}.")
 
     @staticmethod
     def _turn_axis(section: Card, instance: Card) -> None:
-        """Turn the first axis of a section with its instance."""
+        """Turn the first axis of a section with its instance; a round wire needs none."""
         rows = section.data
+        is_round = str(section.get("SECTION", "")).upper() == "CIRC" and len(rows[0]) == 1
+        if is_round and len(rows) == 1 and not any(one in section for one in ("OFFSET1", "OFFSET2")):
+            return
         numbers = [float(value or 0) for value in instance.data[1]]
         a, b, angle = np.array(numbers[:3]), np.array(numbers[3:6]), numbers[6]
         n1 = np.array([[float(value or 0) for value in (rows[1] if len(rows) > 1 else [0, 0, -1])]])
