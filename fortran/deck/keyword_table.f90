@@ -3,8 +3,8 @@
 !> Meanings are those of Abaqus, or of CalculiX for *CONTROLS, unless the help text says otherwise.
 module litz_keyword_table
    use litz_keywords, only: keyword_table_t
-   use litz_model_keywords, only: add_general, add_mesh, add_constraints, add_initial_values, add_properties, &
-      add_contact
+   use litz_contact_keywords, only: add_contact
+   use litz_model_keywords, only: add_general, add_mesh, add_constraints, add_initial_values, add_properties
    use litz_step_keywords, only: add_step, add_loads, add_element_loads, add_element_heat, &
       add_given_values, add_output, add_solution
    implicit none
