@@ -584,9 +584,9 @@ KEYWORDS = [
     case(
         "a misspelt parameter that is required",
         "*CLOAD",
-        "*CONTROLS, PARAMTERS=FIELD\n 1e-6\n*CLOAD",
-        'unknown parameter "PARAMTERS" of *CONTROLS; did you mean PARAMETERS?',
-        "PARAMTERS",
+        "*CONTROLS, PARAMETER=FIELD\n 1e-6\n*CLOAD",
+        'unknown parameter "PARAMETER" of *CONTROLS; did you mean PARAMETERS?',
+        "PARAMETER",
     ),
     case(
         "a parameter of another program in place of one that is required",
