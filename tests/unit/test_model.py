@@ -512,6 +512,11 @@ def built():
         ("litz.Model('A').wire('B', (0, 0, 0), (1, 0, 0), elements=1, **WIRE) and litz.Model('A').run('x')", "no step"),
         ("litz.Model('A').contact(lower)", "belongs to another model"),
         ("litz.General(1, 1, 1, 1, n1=(1, 0))", "n1z is missing"),
+        (
+            "litz.General(1, 1, 1, 1, shear=(1e4,))",
+            "two stiffnesses greater than 0, along the first and the second axis",
+        ),
+        ("litz.General(1, 1, 1, 1, shear=(0, 1e4))", "two stiffnesses greater than 0"),
         ("litz.Circular(1e-3, conduction='PRESENT')", "REFERENCE LENGTH or CURRENT LENGTH"),
         ("litz.NamedBehaviour('GREENWOOD')", "PRESSURE-OVERCLOSURE of .* must be LINEAR or HERTZ"),
         ("litz.NamedSpot('GREENWOOD')", "LAW of .* must be PAPER, HERTZ"),

@@ -295,6 +295,10 @@ class General:
             raise ValueError(
                 "centroid and shear_center are along the section axes: give n1, the direction of the first one"
             )
+        if self.shear is not None and (len(self.shear) != 2 or not min(self.shear) > 0):
+            raise ValueError(
+                f"shear: two stiffnesses greater than 0, along the first and the second axis, not {self.shear}"
+            )
         for card in self.cards("ALL", "ANY"):
             check_card(*card)
 
