@@ -10,6 +10,7 @@ from ..deck.keyword_table import keywords, squeezed
 class _Definition(NamedTuple):
     """A keyword that defines a name, and what refers to it."""
 
+    #: The keyword
     keyword: str
     #: Parameters of other keywords that name it
     references: tuple[str, ...]
