@@ -187,6 +187,20 @@ def test_other_couplings_are_comments_that_matter(convert, old, new):
     assert "** *Coupling, " in text
 
 
+def test_parameters_that_say_what_litz_does_anyway_are_taken_away(convert, litz, tmp_path):
+    text = CAE.replace("name=Amp-1", "name=Amp-1, value=relative").replace(
+        "*Boundary\n", "*Boundary, type=DISPLACEMENT\n"
+    )
+    done, new = convert(text.replace("name=Load, nlgeom=YES", "name=Load, nlgeom=YES, amplitude=RAMP"))
+    assert done.returncode == 0, done.stderr
+    assert all(word not in new for word in ("relative", "DISPLACEMENT", "RAMP"))
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+    # values that are there at once are another matter: they stay, and the program refuses them
+    _, new = convert(CAE.replace("name=Load, nlgeom=YES", "name=Load, nlgeom=YES, amplitude=STEP"))
+    assert "amplitude=STEP" in new
+    assert litz("check", "new.inp", cwd=tmp_path).returncode == 1
+
+
 def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, litz, tmp_path):
     more = (
         "*Controls, reset\n*Controls, analysis=DISCONTINUOUS\n*Controls, parameters=LINE SEARCH\n4, , , , \n"

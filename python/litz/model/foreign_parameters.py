@@ -37,6 +37,12 @@ _FOREIGN = (
     _Foreign(("CONTACT PAIR",), ("SMALL SLIDING",), _CONTACT, True),
     _Foreign(("RIGID BODY",), ("POSITION", "ISOTHERMAL"), "the reference node stays where it is"),
 )  # fmt: skip
+#: Keywords with parameters that other programs alone have, and the values that say what litz does anyway
+_AS_IN_LITZ = (
+    ("AMPLITUDE", "VALUE", "RELATIVE"),
+    ("BOUNDARY", "TYPE", "DISPLACEMENT"),
+    ("STEP", "AMPLITUDE", "RAMP"),
+)
 
 
 def remove_foreign_parameters(cards: list[Card]) -> Iterator[tuple[str, bool]]:
@@ -45,6 +51,9 @@ def remove_foreign_parameters(cards: list[Card]) -> Iterator[tuple[str, bool]]:
     Contact that is hard is contact by Hertz's law from there on.
     """
     for card in cards:
+        for keyword, name, value in _AS_IN_LITZ:
+            if card.is_a(keyword) and str(card.get(name, "")).upper() == value:
+                del card[name]
         for keywords, parameters, reason, matters in _FOREIGN:
             if any(card.is_a(keyword) for keyword in keywords):
                 for name in [name for name in parameters if name in card]:
