@@ -33,8 +33,8 @@ contains
       type(cut_lens_t), intent(in) :: earlier, lens
 
       change = 0
-      if (earlier%has_energies .and. lens%has_energies) change = joints_matter*maxval(abs(lens%energy/earlier%energy &
-         - 1))
+      if (.not. (earlier%has_energies .and. lens%has_energies)) return
+      change = joints_matter*max(maxval(abs(lens%energy/earlier%energy - 1)), maxval(abs(lens%extent - earlier%extent)))
    end function change_of_energies
 
    !> How much the law of a crossing has changed: its share, and the sine that it sees.
