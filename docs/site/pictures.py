@@ -1,6 +1,7 @@
 """Makes the pictures of the documents anew: `python docs/site/pictures.py`, or some of them, such as `pictures.py viewer rope`.
 
-Those of the tutorials by the code that the tutorials show, the others by `COMMANDS`; the viewer with a headless Chromium
+Those of the tutorials by the code that the tutorials show, the others by `COMMANDS` (that of 45 strands takes a run of seven
+minutes); the viewer with a headless Chromium
 (`apt-get install chromium chromium-driver`). `house.svg` is drawn by hand.
 """
 
@@ -26,10 +27,16 @@ from documents import blocks, setup_commands  # noqa: E402
 from litz.viewer.server import ViewServer  # noqa: E402
 
 DECKS, PICTURES = ROOT / "inputs", ROOT / "docs" / "pictures"
-#: Pictures outside of tutorials: where they are, the deck, what is drawn, and in which size
+#: Pictures that tutorials do not make: where they are, the deck, what is drawn, and how
 COMMANDS = {
-    ROOT / "docs" / "crossed_wires.png": ("01_crossed_wires", "overview", (1350, 765)),
-    PICTURES / "network.png": ("11_fibre_mat", "network", (900, 700)),
+    ROOT / "docs" / "crossed_wires.png": ("01_crossed_wires", "overview", {"size": (1350, 765)}),
+    PICTURES / "network.png": ("11_fibre_mat", "network", {"size": (900, 700)}),
+    # at the end of the step that compacts it
+    PICTURES / "cable_section.png": (
+        "25_cable_of_45_strands",
+        "section",
+        {"increment": 20, "field": "axial_force", "size": (900, 800)},
+    ),
 }
 #: The deck in the picture of the viewer, the contact that is selected, and the size of the window
 VIEWED, SELECTED = "12_woven_fabric", 144
@@ -42,16 +49,16 @@ def main(wanted):
     def is_wanted(path):
         return not wanted or any(word in path.stem for word in wanted)
 
-    for target, (deck, kind, size) in COMMANDS.items():
+    for target, (deck, kind, options) in COMMANDS.items():
         if is_wanted(target):
             with tempfile.TemporaryDirectory() as folder:
                 results = litz.run(DECKS / f"{deck}.inp", output_directory=folder, progress=False)
-                keep_small(litz.plot(results, kind, Path(folder, "picture.png"), size=size), target)
+                keep_small(litz.plot(results, kind, Path(folder, "picture.png"), **options), target)
     if is_wanted(PICTURES / "viewer.png"):
         draw_viewer(PICTURES / "viewer.png")
     for tutorial in sorted((ROOT / "docs" / "tutorials").glob("*.md")):
         shown = re.findall(r"!\[[^\]]*\]\(\.\./pictures/([^)]+)\)", tutorial.read_text(encoding="utf-8"))
-        targets = [PICTURES / name for name in shown if is_wanted(PICTURES / name)]
+        targets = [path for path in map(PICTURES.joinpath, shown) if is_wanted(path) and path not in COMMANDS]
         if targets:
             with tempfile.TemporaryDirectory() as folder:
                 run(tutorial, Path(folder))

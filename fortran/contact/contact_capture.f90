@@ -74,7 +74,8 @@ contains
             if (point%closed) then
                history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
                   point%friction, point%new_spot)
-               history%reverses = point%friction_iteration%reverses
+               history%reverses = .false.
+               if (allocated(point%friction_iteration)) history%reverses = point%friction_iteration%reverses
             else
                history = merge(spot_of_history(point%history, [point%arc_bar, point%arc], point%whole_force, &
                   point%new_spot), contact_history_t(), point%gap < 0 .or. point%cell_touches)

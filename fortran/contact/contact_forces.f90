@@ -109,7 +109,7 @@ contains
             if (.not. domain%motions_stand .and. coefficient_of_friction(law, point) > 0 &
                .and. (point%active .or. point%closed)) then
                call find_friction(law, wires, x, t, length, pair, increment_start(domain, contact, point, nodes_p), &
-                  dforce + point%turning%dforce*point%kinematics%dangle, point, k_friction, r_friction)
+                  dforce + point%turning%dforce*point%kinematics%rows%dangle, point, k_friction, r_friction)
                k_slide = k_slide + k_friction
                r_slide = r_slide + r_friction
             end if
@@ -175,7 +175,9 @@ contains
 
       do i = 1, size(members)
          associate (point => points(members(i)))
-            if (point%friction_iteration%limit > 0) call domain%take_friction()
+            if (allocated(point%friction_iteration)) then
+               if (point%friction_iteration%limit > 0) call domain%take_friction()
+            end if
             if (abs(point%turning%growth) > 0) call domain%lose_symmetry()
             call add_iteration_force(point, nodes(:, i), domain%forces)
             call add_supposed_force(point, nodes(:, i), domain%forces)
@@ -183,8 +185,10 @@ contains
       end do
       call domain%add_cells(nodes, motion_slots, motion_slots, k, r)
       do i = 1, size(members)
-         call domain%add_slip_coupling(nodes(:, i), points(members(i))%friction_iteration%along, &
-            points(members(i))%friction_iteration%dlimit)
+         associate (point => points(members(i)))
+            if (allocated(point%friction_iteration)) call domain%add_slip_coupling(nodes(:, i), &
+               point%friction_iteration%along, point%friction_iteration%dlimit)
+         end associate
       end do
    end subroutine add_motions
 
@@ -254,7 +258,7 @@ contains
 
       if (.not. allocated(forces%supposed)) return
       difference = (point%force - point%geometric_force)*point%kinematics%dgap &
-         + (point%turning%denergy - point%torque)*point%kinematics%dangle
+         + (point%turning%denergy - point%torque)*point%kinematics%rows%dangle
       do a = 1, size(nodes_p)
          first = (a - 1)*(n_motions/size(nodes_p)) + 1
          associate (supposed => forces%supposed(:, nodes_p(a)))
@@ -272,8 +276,10 @@ contains
       real(dp) :: difference(n_motions)
       integer :: a
 
-      difference = point%friction_iteration%difference - (point%iteration_force - point%force)*point%kinematics%dgap &
-         + (point%iteration_torque - point%torque)*point%kinematics%dangle
+      difference = 0
+      if (allocated(point%friction_iteration)) difference = point%friction_iteration%difference
+      difference = difference - (point%iteration_force - point%force)*point%kinematics%dgap &
+         + (point%iteration_torque - point%torque)*point%kinematics%rows%dangle
       associate (iteration => forces%iteration(motion_slots(1):motion_slots(2), :))
          do a = 1, size(nodes_p)
             iteration(:, nodes_p(a)) = iteration(:, nodes_p(a)) &
@@ -435,7 +441,9 @@ contains
    elemental subroutine clear_motions(point)
       type(contact_point_t), intent(inout) :: point
 
-      if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
+      if (allocated(point%friction_iteration)) then
+         if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
+      end if
       point%friction = friction_law_t()
       point%traction = 0
    end subroutine clear_motions

@@ -153,10 +153,8 @@ module litz_contact_points
       real(dp) :: whole_force = 0
       !> Overlap at which these shares were found [m]; 0: nothing overlapped. While it grows little they stay
       real(dp) :: shared_overlap = 0
-      !> Of a point of a line contact: it lies in the lens of a crossing
-      logical :: in_lens = .false.
-      !> Of a point of a line contact: its foot is held at the end of a wire
-      logical :: foot_at_end = .false.
+      !> Of a point of a line contact: it lies in the lens of a crossing; its foot is held at the end of a wire
+      logical :: in_lens = .false., foot_at_end = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
       integer :: line_place = 0
       !> Of a point of a line contact between conductors: the part of the wire for which it stands, and whether the
@@ -225,7 +223,8 @@ module litz_contact_points
       real(dp) :: dfriction_work(n_motions) = 0, dfriction_work_dforce = 0
       !> What ploughing has dissipated in this increment [J], and its part of the limit of friction in the next one [-]
       real(dp) :: ploughed = 0, ploughing = 0
-      type(friction_iteration_t) :: friction_iteration
+      !> Of a contact that presses with friction, or has in this increment
+      type(friction_iteration_t), allocatable :: friction_iteration
       !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
       !> voltage misses [W] (theory section 7)
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
@@ -263,9 +262,8 @@ module litz_contact_points
       type(shared_conductors_t) :: shared
       !> Largest overlap when the increment began [m]
       real(dp) :: depth = 0
-      type(contact_point_t), allocatable :: points(:)
-      !> The points of the last converged state
-      type(contact_point_t), allocatable :: converged(:)
+      !> The points now, and those of the last converged state
+      type(contact_point_t), allocatable :: points(:), converged(:)
       !> Which candidates have points of line contacts, and how far apart the others are
       type(near_pairs_t) :: near
       !> Where lines are touched, and the points of line contacts now and in the last converged state
@@ -360,7 +358,7 @@ contains
 
       if (.not. any(abs(taper) > 0)) return
       kinematics%gap = kinematics%gap - taper(1)*kinematics%xi_bar - taper(2)*kinematics%xi
-      kinematics%dgap = kinematics%dgap - taper(1)*kinematics%dxi_bar - taper(2)*kinematics%dxi
+      kinematics%dgap = kinematics%dgap - taper(1)*kinematics%rows%dxi_bar - taper(2)*kinematics%rows%dxi
    end subroutine add_taper
 
    !> Which axis the law of a contact pair sees: one of the constants of the model.
@@ -406,7 +404,9 @@ contains
          point%predicted = old(from)%predicted
          point%predicted_gap = old(from)%predicted_gap
          point%mixed_force = old(from)%mixed_force
-         if (all(old(from)%held .eqv. point%held)) point%friction_iteration = old(from)%friction_iteration
+         if (allocated(old(from)%friction_iteration)) then
+            if (all(old(from)%held .eqv. point%held)) point%friction_iteration = old(from)%friction_iteration
+         end if
          call take_shares(old(from), point)
       else if (from_converged > 0) then
          call take_shares(converged(from_converged), point)

@@ -65,8 +65,8 @@ contains
       end associate
       ! the resistivities are those at the temperatures of the places
       associate (by_place => circuit%spot%dconductance_dresistivity*pair%dresistivity*pair%dtemperature)
-         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%dxi_bar &
-            + by_place(2)*point%kinematics%dxi
+         circuit%dconductance = circuit%dconductance + by_place(1)*point%kinematics%rows%dxi_bar &
+            + by_place(2)*point%kinematics%rows%dxi
       end associate
    end subroutine find_spot
 

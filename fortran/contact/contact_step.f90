@@ -74,7 +74,7 @@ contains
             dq = reshape(step(motion_slots(1):motion_slots(2), nodes), [n_motions])
             warmer = step(temperature_slots(1), nodes)
             dgap = dot_product(point%kinematics%dgap, dq) + dot_product(point%dgap_dtemperature, warmer)
-            call predict_friction(eta*dq, point%friction_iteration)
+            if (allocated(point%friction_iteration)) call predict_friction(eta*dq, point%friction_iteration)
             if (point%line_place > 0) then
                if (.not. point%predicted) point%predicted_gap = point%gap
                point%predicted_gap = (1 - eta)*point%predicted_gap + eta*(point%gap + dgap)
@@ -85,7 +85,7 @@ contains
             point%predicted_gap = point%gap + eta*dgap
             if (.not. point%active) cycle
             force = (1 - eta)*point%mixed_force + eta*(point%iteration_force - point%stiffness*dgap &
-               + point%turning%dforce*dot_product(point%kinematics%dangle, dq) &
+               + point%turning%dforce*dot_product(point%kinematics%rows%dangle, dq) &
                + dot_product(point%dforce_dtemperature, warmer))
             ! a contact that would have to pull opens, even if the linearised law leaves it an overlap
             if (force <= 0) point%predicted_gap = max(point%predicted_gap, -point%dent_depth)

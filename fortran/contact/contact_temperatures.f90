@@ -105,20 +105,20 @@ contains
    pure function forces_by_temperature(domain, point) result(k)
       type(domain_t), intent(in) :: domain
       type(contact_point_t), intent(in) :: point
-      real(dp) :: k(n_motions, 4), dforce(4), dtorque(4), friction
+      real(dp) :: k(n_motions, 4), dforce(4), dtorque(4), friction, rows(n_motions)
 
       associate (by_temperature => point%dgap_dtemperature)
          dforce = point%dforce_dtemperature - point%stiffness*by_temperature
          dtorque = point%torque*stiffer_by_temperature(domain, point) - point%turning%dforce*by_temperature
       end associate
       friction = domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction)%friction
-      associate (rows => friction*point%friction_iteration%along - point%kinematics%dgap)
-         k = spread(rows, 2, 4)*spread(dforce, 1, n_motions) &
-            + spread(point%kinematics%dangle, 2, 4)*spread(dtorque, 1, n_motions)
-      end associate
-      k(:, :2) = k(:, :2) + point%force*spread(point%kinematics%dxi_bar, 2, 2) &
+      rows = -point%kinematics%dgap
+      if (allocated(point%friction_iteration)) rows = rows + friction*point%friction_iteration%along
+      k = spread(rows, 2, 4)*spread(dforce, 1, n_motions) &
+         + spread(point%kinematics%rows%dangle, 2, 4)*spread(dtorque, 1, n_motions)
+      k(:, :2) = k(:, :2) + point%force*spread(point%kinematics%rows%dxi_bar, 2, 2) &
          *spread(taper_by_temperature(point%element_bar), 1, n_motions)
-      k(:, 3:) = k(:, 3:) + point%force*spread(point%kinematics%dxi, 2, 2) &
+      k(:, 3:) = k(:, 3:) + point%force*spread(point%kinematics%rows%dxi, 2, 2) &
          *spread(taper_by_temperature(point%element), 1, n_motions)
 
    contains

@@ -17,7 +17,6 @@ module litz_contact_term
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, field_rotation, field_potential, first_slot, last_slot, group_transport, &
       potential_slots
-   use litz_friction_iteration, only: friction_iteration_t
    use litz_line_points, only: locate_line_points, add_line_points
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
@@ -113,8 +112,16 @@ contains
 
       point%predicted = .false.
       point%mixed_force = point%force
-      point%friction_iteration = friction_iteration_t()
+      if (allocated(point%friction_iteration)) deallocate (point%friction_iteration)
    end subroutine forget_predictions
+
+   !> A converged state needs nothing that only the iteration does.
+   elemental subroutine forget_iteration(point)
+      type(contact_point_t), intent(inout) :: point
+
+      if (allocated(point%kinematics%rows)) deallocate (point%kinematics%rows)
+      if (allocated(point%friction_iteration)) deallocate (point%friction_iteration)
+   end subroutine forget_iteration
 
    !> Where wires cross, and with which force; new candidates when a node has moved too far since they were collected.
    subroutine locate(self, domain, error)
@@ -408,6 +415,7 @@ contains
          call keep_left_dents(domain%wires, contact)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points
+         call forget_iteration(contact%converged_line_points)
       end associate
    end subroutine accept
 

@@ -57,6 +57,7 @@ contains
       type(force_of_gap_t) :: at_gap
       real(dp) :: mu, force, dforce(n_motions), stiffness, dstiffness_dforce, r_supposed(n_motions)
 
+      if (.not. allocated(point%friction_iteration)) allocate (point%friction_iteration)
       mu = coefficient_of_friction(law, point)
       if (.not. (point%history%closed .or. point%friction_iteration%touched)) then
          call find_touch(law%axis, wires, length, pair%radius, before, point)
@@ -198,7 +199,7 @@ contains
       if (point%predicted) gap = min(gap, point%predicted_gap)
       associate (kinematics => point%kinematics)
          surfaces = sum(radius) - (point%gap - kinematics%gap + before%closing)
-         move = [dot_product(kinematics%dxi_bar, before%dq), dot_product(kinematics%dxi, before%dq)]
+         move = [dot_product(kinematics%rows%dxi_bar, before%dq), dot_product(kinematics%rows%dxi, before%dq)]
          call side_at(before%x, before%t, length, axis, [point%xi_bar, point%xi] - move, moves_along(point), &
             kinematics%side, normal, distance)
          call place_touch(distance - surfaces, gap, [point%arc_bar, point%arc] &

@@ -427,7 +427,7 @@ contains
       real(dp) :: conductance(n_rows), by_place(n_motions), unused
       integer :: side
 
-      rows%place = reshape([point%kinematics%dxi_bar, point%kinematics%dxi], shape(rows%place))
+      rows%place = reshape([point%kinematics%rows%dxi_bar, point%kinematics%rows%dxi], shape(rows%place))
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
          if (point%friction%dissipation > 0) rows%friction_work = [point%dfriction_work, work_by_temperature(domain, &
             point, law_of_spot(law%normal, point))]

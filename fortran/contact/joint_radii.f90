@@ -39,7 +39,7 @@ contains
          point%radius = point%radius + extra
          kinematics%gap = kinematics%gap - sum(extra)
          slope = point%ball_slope*wires%direction(pair)*elements%length(pair)/2
-         kinematics%dgap = kinematics%dgap - slope(1)*kinematics%dxi_bar - slope(2)*kinematics%dxi
+         kinematics%dgap = kinematics%dgap - slope(1)*kinematics%rows%dxi_bar - slope(2)*kinematics%rows%dxi
       end associate
    end subroutine add_balls
 

@@ -45,6 +45,9 @@ contains
       call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, should_touch(contact), contact, feet)
       call move_alloc(contact%line_points, old)
       call make_points(model, wires, elements, contact, x, rotation, feet, old, points)
+      ! each is some kilobytes, and there may be a million
+      deallocate (old)
+      call keep_regular(points)
       call move_alloc(points, contact%line_points)
    end subroutine locate_line_points
 
@@ -75,6 +78,7 @@ contains
          comes_near .or. contact%near%has_points, contact, feet)
       feet = pack(feet, are_new(wires, elements, contact, feet))
       call make_points(model, wires, elements, contact, x, rotation, feet, contact%line_points(:0), points)
+      call keep_regular(points)
       allocate (all_points(n_before + size(points)))
       all_points(:n_before) = contact%line_points
       all_points(n_before + 1:) = points
@@ -167,8 +171,24 @@ contains
             newest(i) == 0 .and. converged(i) == 0, points(i))
       end do
       !$omp end parallel do
-      if (.not. all(points%regular)) points = pack(points, points%regular)
    end subroutine make_points
+
+   !> Points whose axes have a normal, and are near.
+   subroutine keep_regular(points)
+      type(contact_point_t), allocatable, intent(inout) :: points(:)
+      type(contact_point_t), allocatable :: kept(:)
+      integer :: i, n
+
+      if (all(points%regular)) return
+      allocate (kept(count(points%regular)))
+      n = 0
+      do i = 1, size(points)
+         if (.not. points(i)%regular) cycle
+         n = n + 1
+         kept(n) = points(i)
+      end do
+      call move_alloc(kept, points)
+   end subroutine keep_regular
 
    !> Where a new point is.
    pure subroutine place_point(wires, elements, contact, foot, point)
@@ -268,7 +288,15 @@ contains
       if (is_new .or. has_grown(point)) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
       if (has_strip(model, elements, point)) call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, &
          point%kinematics), point)
+      if (.not. may_matter(point)) deallocate (point%kinematics%rows)
    end subroutine set_geometry
+
+   !> A place presses or conducts, or was to press as the last step has predicted: most places are near and open.
+   pure logical function may_matter(point)
+      type(contact_point_t), intent(in) :: point
+
+      may_matter = point%gap < 0 .or. point%cell_touches .or. (point%predicted .and. point%predicted_gap < 0)
+   end function may_matter
 
    !> A current or heat can pass.
    pure logical function has_strip(model, elements, point)

@@ -42,7 +42,7 @@ contains
       if (point%line_place > 0 .or. any(point%held) .or. is_cut(point%lens)) return
       law = turning_of(point, point%at_gap)
       point%torque = law%denergy
-      r = point%torque*point%kinematics%dangle
+      r = point%torque*point%kinematics%rows%dangle
       slope = 0
       associate (turning => point%turning)
          if (point%active .and. point%stiffness > 0) then

@@ -266,10 +266,10 @@ contains
          real(kinematics%side, c_double)]
       normal = kinematics%normal
       rows(:, 1) = kinematics%dgap
-      rows(:, 2) = kinematics%dxi_bar
-      rows(:, 3) = kinematics%dxi
-      rows(:, 4) = kinematics%dcos_angle
-      rows(:, 5) = kinematics%dangle
+      rows(:, 2) = kinematics%rows%dxi_bar
+      rows(:, 3) = kinematics%rows%dxi
+      rows(:, 4) = kinematics%rows%dcos_angle
+      rows(:, 5) = kinematics%rows%dangle
    end subroutine contact_kinematics
 
    ! Residual and tangent at given closest points, as a driver composes them.
@@ -406,7 +406,7 @@ contains
          slip%slip)
       r = wire_friction_residual(slip, law%traction)
       k = wire_friction_tangent(kinematics, slip, slip%dslip, t, law, &
-         force(2)*kinematics%dgap + force(3)*kinematics%dangle, law%traction)
+         force(2)*kinematics%dgap + force(3)*kinematics%rows%dangle, law%traction)
       values = [law%traction, law%plastic_slip, law%dissipation, real(law%status, c_double), slip%slip]
       on_bar = -matmul(slip%frame, law%traction)
    end subroutine contact_friction

@@ -36,8 +36,8 @@ contains
 
       w = kinematics%distance*kinematics%normal
       mu = -matmul(kinematics%between_q, tau)                                             ! mu = -M^-1 tau
-      moves(:, 1) = kinematics%dxi
-      moves(:, 2) = kinematics%dxi_bar
+      moves(:, 1) = kinematics%rows%dxi
+      moves(:, 2) = kinematics%rows%dxi_bar
       call second_derivatives(a, b, t, w, mu, left, right, phi_p_xi, phi_xi_xi)
       left(:, 7:8) = phi_p_xi
       right(:, 7:8) = moves

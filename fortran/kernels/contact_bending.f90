@@ -72,7 +72,7 @@ contains
                turned(:, node) = t(:, node) + step*cross(direction, t(:, node))
             end if
             call contact_kinematics(moved, turned, length, axis, radius, kinematics%xi_bar + step &
-               *kinematics%dxi_bar(j), kinematics%xi + step*kinematics%dxi(j), kinematics%side, changed, info)
+               *kinematics%rows%dxi_bar(j), kinematics%xi + step*kinematics%rows%dxi(j), kinematics%side, changed, info)
             if (info /= kinematics_ok) cycle
             k(:, j) = (matmul(rows_of_curvature(changed, moved, turned, length, axis, seen), by_curvature) - r)/step
          end do
@@ -107,11 +107,11 @@ contains
       associate (n => kinematics%normal)
          rows(:, 1) = turned_normal(on_axis(bends_bar, x(:, 1:2), t(:, 1:2)) + seen%change(:, 1) &
             *(risen(kinematics%xi_bar) - risen(seen%place(1)))) &
-            + slope_at(kinematics%xi_bar)*dot_product(n, seen%change(:, 1))*kinematics%dxi_bar
+            + slope_at(kinematics%xi_bar)*dot_product(n, seen%change(:, 1))*kinematics%rows%dxi_bar
          rows(1:12, 1) = rows(1:12, 1) + axis_row(bends_bar, t(:, 1:2), n)
          rows(:, 2) = -turned_normal(on_axis(bends, x(:, 3:4), t(:, 3:4)) + seen%change(:, 2) &
             *(risen(kinematics%xi) - risen(seen%place(2)))) &
-            - slope_at(kinematics%xi)*dot_product(n, seen%change(:, 2))*kinematics%dxi
+            - slope_at(kinematics%xi)*dot_product(n, seen%change(:, 2))*kinematics%rows%dxi
          rows(13:24, 2) = rows(13:24, 2) - axis_row(bends, t(:, 3:4), n)
       end associate
 
@@ -125,7 +125,7 @@ contains
 
          across = v - dot_product(v, kinematics%normal)*kinematics%normal
          row = [axis_row(hb, t(:, 1:2), across), axis_row(h, t(:, 3:4), -across)]
-         row = (row + dot_product(xb1, across)*kinematics%dxi_bar - dot_product(x1, across)*kinematics%dxi) &
+         row = (row + dot_product(xb1, across)*kinematics%rows%dxi_bar - dot_product(x1, across)*kinematics%rows%dxi) &
             /kinematics%distance
       end function turned_normal
 

@@ -89,10 +89,10 @@ contains
             electricity%k_ee(:, j) = g*(n_v*n_v(j))                                         ! K_ee = G N_V N_V^T
          end do
          electricity%dconductance = conductance_row(kinematics, dconductance_dgap, dconductance_dangle, dconductance)
-         electricity%me1 = g*(slope_bar*kinematics%dxi_bar - slope*kinematics%dxi)          ! G (Vb' dxib - V' dxi)
+         electricity%me1 = g*(slope_bar*kinematics%rows%dxi_bar - slope*kinematics%rows%dxi)   ! G (Vb' dxib - V' dxi)
          electricity%me2 = g_v*share**2*(dconductance_dgap*kinematics%dgap + dconductance)  ! (dI/dg) dg
-         electricity%me4 = g_v*share**2*dconductance_dangle*kinematics%dangle               ! (dI/dangle) dangle
-         electricity%me5 = 2*g*current*(s(1)*xi_bar*kinematics%dxi_bar + s(2)*xi*kinematics%dxi)
+         electricity%me4 = g_v*share**2*dconductance_dangle*kinematics%rows%dangle               ! (dI/dangle) dangle
+         electricity%me5 = 2*g*current*(s(1)*xi_bar*kinematics%rows%dxi_bar + s(2)*xi*kinematics%rows%dxi)
       end associate
    end subroutine contact_electricity
 
@@ -103,7 +103,7 @@ contains
       real(dp), intent(in) :: dconductance_dgap, dconductance_dangle, dconductance(24)
       real(dp) :: row(24)
 
-      row = dconductance_dgap*kinematics%dgap + dconductance_dangle*kinematics%dangle + dconductance
+      row = dconductance_dgap*kinematics%dgap + dconductance_dangle*kinematics%rows%dangle + dconductance
    end function conductance_row
 
    !> Of the voltage between the wires, what is across the spot.
@@ -128,7 +128,7 @@ contains
       row = electricity%me1 + electricity%me2 + electricity%me4 + electricity%me5
       do j = 1, 24
          k_me(:, j) = electricity%n_v*row(j) &
-            + k_me3_column(electricity%current, kinematics%dxi_bar(j), kinematics%dxi(j))
+            + k_me3_column(electricity%current, kinematics%rows%dxi_bar(j), kinematics%rows%dxi(j))
       end do
    end function coupling_tangent
 
@@ -153,7 +153,7 @@ contains
       k_me4 = along(electricity%n_v, electricity%me4)
       k_me5 = along(electricity%n_v, electricity%me5)
       do j = 1, 24
-         k_me3(:, j) = k_me3_column(electricity%current, kinematics%dxi_bar(j), kinematics%dxi(j))
+         k_me3(:, j) = k_me3_column(electricity%current, kinematics%rows%dxi_bar(j), kinematics%rows%dxi(j))
       end do
    end subroutine coupling_parts
 

@@ -41,6 +41,14 @@ module litz_contact_kinematics
    !> Displacements and rotations of the four nodes of a pair of elements
    integer, parameter :: n_motions = 24
 
+   !> Rows over the unknowns that only a contact needs that presses or conducts: wires side by side have many more
+   !> places that are near and open.
+   type :: kinematics_rows_t
+      real(dp) :: dxi_bar(24) = 0, dxi(24) = 0, dcos_angle(24) = 0, dangle(24) = 0
+      !> B and Q
+      real(dp) :: b(24, 2) = 0, q(24, 2) = 0
+   end type kinematics_rows_t
+
    type :: contact_kinematics_t
       !> Where it was evaluated
       real(dp) :: xi_bar = 0, xi = 0
@@ -57,11 +65,12 @@ module litz_contact_kinematics
       !> How much of the angle is that at fixed places of the barred and the unbarred axis, and not at the closest
       !> points [-], and these places (2)
       real(dp) :: fixed_share = 0, angle_at(2) = 0
-      !> First variations: rows over the unknowns
-      real(dp) :: dgap(24) = 0, dxi_bar(24) = 0, dxi(24) = 0, dcos_angle(24) = 0, dangle(24) = 0
-      !> Second variation of the gap: rows of B and Q, and what is between them: `G^-1 H M^-1` between B and B, `M^-1`
-      !> between B and Q and between Q and Q, in the order (xi, xib)
-      real(dp) :: b(24, 2) = 0, q(24, 2) = 0, between_b(2, 2) = 0, between_bq(2, 2) = 0, between_q(2, 2) = 0
+      !> First variation of the gap (24), and of all else
+      real(dp) :: dgap(24) = 0
+      type(kinematics_rows_t), allocatable :: rows
+      !> Second variation of the gap: what is between the rows of B and Q: `G^-1 H M^-1` between B and B, `M^-1` between
+      !> B and Q and between Q and Q, in the order (xi, xib)
+      real(dp) :: between_b(2, 2) = 0, between_bq(2, 2) = 0, between_q(2, 2) = 0
       !> `|x'|^2` and `|xb'|^2` (2) [m^2]
       real(dp) :: squares(2) = 0
       !> How much of each nodal tangent is in w (barred 1, barred 2, 1, 2) [m]
@@ -94,6 +103,7 @@ contains
       logical :: is_parallel
       integer :: i
 
+      allocate (kinematics%rows)
       call axis_shape(axis, length(2), xi, h, h1, h2)
       call axis_shape(axis, length(1), xi_bar, hb, hb1, hb2)
       x1 = on_axis(h1, x(:, 3:4), t(:, 3:4))
@@ -143,10 +153,10 @@ contains
 
       kinematics%tangent_weight = [hb(2), hb(4), -h(2), -h(4)]
       kinematics%dgap = [axis_row(hb, t(:, 1:2), n), axis_row(h, t(:, 3:4), -n)]            ! dg = n^T S
-      kinematics%b(:, 1) = [axis_row(hb, t(:, 1:2), -x1), axis_row(h, t(:, 3:4), x1)]       ! B
-      kinematics%b(:, 2) = [axis_row(hb, t(:, 1:2), xb1), axis_row(h, t(:, 3:4), -xb1)]
-      kinematics%q(13:24, 1) = axis_row(h1, t(:, 3:4), -n)                                 ! Q
-      kinematics%q(1:12, 2) = axis_row(hb1, t(:, 1:2), n)
+      kinematics%rows%b(:, 1) = [axis_row(hb, t(:, 1:2), -x1), axis_row(h, t(:, 3:4), x1)]       ! B
+      kinematics%rows%b(:, 2) = [axis_row(hb, t(:, 1:2), xb1), axis_row(h, t(:, 3:4), -xb1)]
+      kinematics%rows%q(13:24, 1) = axis_row(h1, t(:, 3:4), -n)                                 ! Q
+      kinematics%rows%q(1:12, 2) = axis_row(hb1, t(:, 1:2), n)
       call add_moves(kinematics)
       call add_angle(kinematics, t, x1, x2, xb1, xb2, h1, hb1)
       if (is_parallel) then
@@ -187,7 +197,7 @@ contains
       e(:, 2) = cross(kinematics%normal, e(:, 1))
       a = reshape([-dot_product(x1, e(:, 1)), dot_product(xb1, e(:, 1)), -dot_product(x1, e(:, 2)), 0.0_dp], [2, 2])
       do i = 1, 2
-         kinematics%b(:, i) = [axis_row(hb, t(:, 1:2), e(:, i)), axis_row(h, t(:, 3:4), -e(:, i))]
+         kinematics%rows%b(:, i) = [axis_row(hb, t(:, 1:2), e(:, i)), axis_row(h, t(:, 3:4), -e(:, i))]
       end do
       kinematics%between_bq = matmul(transpose(a), kinematics%between_q)                   ! A^T M^-1
       kinematics%between_b = -matmul(kinematics%between_bq, a)
@@ -203,10 +213,10 @@ contains
       type(contact_kinematics_t), intent(inout) :: kinematics
       real(dp) :: c(24, 2)
 
-      c = kinematics%b + kinematics%distance*kinematics%q
+      c = kinematics%rows%b + kinematics%distance*kinematics%rows%q
       associate (m_inverse => kinematics%between_q)
-         kinematics%dxi = -m_inverse(1, 1)*c(:, 1) - m_inverse(1, 2)*c(:, 2)
-         kinematics%dxi_bar = -m_inverse(2, 1)*c(:, 1) - m_inverse(2, 2)*c(:, 2)
+         kinematics%rows%dxi = -m_inverse(1, 1)*c(:, 1) - m_inverse(1, 2)*c(:, 2)
+         kinematics%rows%dxi_bar = -m_inverse(2, 1)*c(:, 1) - m_inverse(2, 2)*c(:, 2)
       end associate
    end subroutine add_moves
 
@@ -234,15 +244,15 @@ contains
       kinematics%fixed_share = share
       kinematics%angle_at = places
       angle = kinematics%angle
-      dangle = kinematics%dangle
+      dangle = kinematics%rows%dangle
       kinematics%angle = atan2(norm2(cross(x1, xb1)), dot_product(x1, xb1))
       kinematics%cos_angle = cos(kinematics%angle)
-      kinematics%dangle = 0
+      kinematics%rows%dangle = 0
       call add_angle(kinematics, t, x1, 0*x1, xb1, 0*xb1, h1, hb1)
       kinematics%angle = (1 - share)*angle + share*kinematics%angle
-      kinematics%dangle = (1 - share)*dangle + share*kinematics%dangle
+      kinematics%rows%dangle = (1 - share)*dangle + share*kinematics%rows%dangle
       kinematics%cos_angle = cos(kinematics%angle)
-      kinematics%dcos_angle = -sin(kinematics%angle)*kinematics%dangle
+      kinematics%rows%dcos_angle = -sin(kinematics%angle)*kinematics%rows%dangle
    end subroutine fix_angle
 
    !> How the angle changes: through the unit tangents `e`, by the nodes and by the move of the closest points.
@@ -260,11 +270,13 @@ contains
       eb = xb1/norm2(xb1)
       v = (eb - kinematics%cos_angle*e)/norm2(x1)                                          ! dcos/dx'
       vb = (e - kinematics%cos_angle*eb)/norm2(xb1)                                        ! dcos/dxb'
-      kinematics%dcos_angle = dot_product(v, x2)*kinematics%dxi + dot_product(vb, xb2)*kinematics%dxi_bar
-      kinematics%dcos_angle(1:12) = kinematics%dcos_angle(1:12) + axis_row(hb1, t(:, 1:2), vb)
-      kinematics%dcos_angle(13:24) = kinematics%dcos_angle(13:24) + axis_row(h1, t(:, 3:4), v)
+      kinematics%rows%dcos_angle = dot_product(v, x2)*kinematics%rows%dxi + dot_product(vb, xb2)*kinematics%rows%dxi_bar
+      kinematics%rows%dcos_angle(1:12) = kinematics%rows%dcos_angle(1:12) + axis_row(hb1, t(:, 1:2), vb)
+      kinematics%rows%dcos_angle(13:24) = kinematics%rows%dcos_angle(13:24) + axis_row(h1, t(:, 3:4), v)
       ! of parallel tangents the angle is stationary
-      if (sin(kinematics%angle) > parallel_sine) kinematics%dangle = -kinematics%dcos_angle/sin(kinematics%angle)
+      associate (rows => kinematics%rows)
+         if (sin(kinematics%angle) > parallel_sine) rows%dangle = -rows%dcos_angle/sin(kinematics%angle)
+      end associate
    end subroutine add_angle
 
    pure function inverse(a) result(b)

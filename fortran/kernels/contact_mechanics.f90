@@ -39,7 +39,7 @@ contains
 
       r = mechanical_residual(kinematics, force)
       call factors_of_tangent(kinematics, stiffness, geometric_force, left, right)
-      if (abs(dforce_dangle) > 0) right(:, 5) = right(:, 5) - dforce_dangle*kinematics%dangle
+      if (abs(dforce_dangle) > 0) right(:, 5) = right(:, 5) - dforce_dangle*kinematics%rows%dangle
       do j = 1, 24
          k(:, j) = left(:, 1)*right(j, 1) + left(:, 2)*right(j, 2) + left(:, 3)*right(j, 3) + left(:, 4)*right(j, 4) &
             + left(:, 5)*right(j, 5)
@@ -68,7 +68,7 @@ contains
       real(dp), intent(out) :: left(24, 5), right(24, 5)
       real(dp) :: from_b(24, 2)
 
-      associate (b => kinematics%b, q => kinematics%q, m_inverse => kinematics%between_q)
+      associate (b => kinematics%rows%b, q => kinematics%rows%q, m_inverse => kinematics%between_q)
          from_b = matmul(b, kinematics%between_b)                                       ! (G^-1 H M^-1) B
          left(:, 1:2) = b
          left(:, 3:4) = q

@@ -370,13 +370,30 @@ contains
             end associate
             if (apart) cycle
             if (other_grid%segment(other) == grid%segment(box)) cycle
-            if (are_near(grid%ends(:, box), other_grid%ends(:, other))) call append(list, &
-               min(grid%segment(box), other_grid%segment(other)), max(grid%segment(box), other_grid%segment(other)))
+            call note_near(other)
          end do
          entry = 0
          first = 1
          left = left - more - 1
       end do
+
+   contains
+
+      !> The segment of the smaller number first, so that no grid and no share of a search decides what round-off does.
+      subroutine note_near(other)
+         !> A box of the other grid
+         integer, intent(in) :: other
+
+         associate (i => grid%segment(box), j => other_grid%segment(other), p => grid%ends(:, box), &
+            q => other_grid%ends(:, other))
+            if (i < j) then
+               if (are_near(p, q)) call append(list, i, j)
+            else
+               if (are_near(q, p)) call append(list, j, i)
+            end if
+         end associate
+      end subroutine note_near
+
    end subroutine visit_row
 
    !> Whether the least distance between two straight segments is at most the sum of their reaches, also where they are

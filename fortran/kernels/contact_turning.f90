@@ -60,7 +60,7 @@ contains
 
       r = turning_residual(kinematics, turning)
       k = 0
-      if (.not. any(abs(kinematics%dangle) > 0)) return
+      if (.not. any(abs(kinematics%rows%dangle) > 0)) return
       associate (fixed => kinematics%fixed_share)
          if (fixed < 1) call add_second_variation(kinematics, x, t, length, axis, .false., (1 - fixed) &
             *turning%denergy, k)
@@ -68,7 +68,7 @@ contains
       end associate
       if (form == form_hessian) k = (k + transpose(k))/2
       do j = 1, n_motions
-         k(:, j) = k(:, j) + kinematics%dangle*(turning%d2energy*kinematics%dangle(j) &
+         k(:, j) = k(:, j) + kinematics%rows%dangle*(turning%d2energy*kinematics%rows%dangle(j) &
             - (turning%dforce + turning%growth)*kinematics%dgap(j))
       end do
    end subroutine contact_turning
@@ -79,7 +79,7 @@ contains
       type(turning_t), intent(in) :: turning
       real(dp) :: r(n_motions)
 
-      r = turning%denergy*kinematics%dangle                                                ! R = Pi_psi dpsi
+      r = turning%denergy*kinematics%rows%dangle                                                ! R = Pi_psi dpsi
    end function turning_residual
 
    !> `moment d2psi` in the spin form.
@@ -104,8 +104,8 @@ contains
       integer :: i
 
       places = [kinematics%xi_bar, kinematics%xi]
-      xi = kinematics%dxi
-      xi_bar = kinematics%dxi_bar
+      xi = kinematics%rows%dxi
+      xi_bar = kinematics%rows%dxi_bar
       if (is_fixed) then
          places = kinematics%angle_at
          xi = 0

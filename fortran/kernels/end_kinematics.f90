@@ -58,12 +58,12 @@ contains
       other%point = kinematics%point_bar
       other%normal = -kinematics%normal
       other%dgap = kinematics%dgap(mirrored_motions)
-      other%dxi_bar = kinematics%dxi(mirrored_motions)
-      other%dxi = kinematics%dxi_bar(mirrored_motions)
-      other%dcos_angle = kinematics%dcos_angle(mirrored_motions)
-      other%dangle = kinematics%dangle(mirrored_motions)
-      other%b = kinematics%b(mirrored_motions, :)
-      other%q = kinematics%q(mirrored_motions, :)
+      other%rows%dxi_bar = kinematics%rows%dxi(mirrored_motions)
+      other%rows%dxi = kinematics%rows%dxi_bar(mirrored_motions)
+      other%rows%dcos_angle = kinematics%rows%dcos_angle(mirrored_motions)
+      other%rows%dangle = kinematics%rows%dangle(mirrored_motions)
+      other%rows%b = kinematics%rows%b(mirrored_motions, :)
+      other%rows%q = kinematics%rows%q(mirrored_motions, :)
       other%squares = kinematics%squares([2, 1])
       other%tangent_weight = -kinematics%tangent_weight(mirrored_nodes)
    end function mirrored

@@ -130,8 +130,8 @@ contains
       type(contact_kinematics_t), intent(in) :: kinematics
       real(dp) :: move(24, 2)
 
-      move(:, 1) = kinematics%dxi_bar
-      move(:, 2) = kinematics%dxi
+      move(:, 1) = kinematics%rows%dxi_bar
+      move(:, 2) = kinematics%rows%dxi
    end function moves_of
 
    pure type(moving_places_t) function moving_places(x, t, length, axis, kinematics) result(at)

@@ -60,6 +60,7 @@ contains
       real(dp) :: relative(3, 4)
       integer :: i
 
+      allocate (kinematics%rows)
       call axis_shape(axis, length(2), xi, h, h1, h2)
       call axis_shape(axis, length(1), xi_bar, hb, hb1, hb2)
       ! measured from one node, so that the distance does not suffer from far-away origins
@@ -108,14 +109,14 @@ contains
          g = dot_product(xb1, xb1)                                                         ! G
          curvature = dot_product(n, xb2)                                                   ! H
          m = g + d*curvature                                                               ! M
-         kinematics%b(:, 1) = over_w(h, hb, t, xb1)                                        ! B
-         kinematics%b(:, 2) = over_w(h, hb, t, cross(n, xb1)/sqrt(g))
-         kinematics%q(1:12, 1) = axis_row(hb1, t(:, 1:2), n)                               ! Q
+         kinematics%rows%b(:, 1) = over_w(h, hb, t, xb1)                                        ! B
+         kinematics%rows%b(:, 2) = over_w(h, hb, t, cross(n, xb1)/sqrt(g))
+         kinematics%rows%q(1:12, 1) = axis_row(hb1, t(:, 1:2), n)                               ! Q
          kinematics%between_b(1, 1) = curvature/(g*m)
          kinematics%between_b(2, 2) = 1/d
          kinematics%between_q(1, 1) = 1/m
          kinematics%between_bq = kinematics%between_q
-         kinematics%dxi_bar = -(kinematics%b(:, 1) + d*kinematics%q(:, 1))/m               ! -C/M
+         kinematics%rows%dxi_bar = -(kinematics%rows%b(:, 1) + d*kinematics%rows%q(:, 1))/m               ! -C/M
       end associate
    end subroutine add_moving_foot
 
@@ -133,8 +134,8 @@ contains
          e = 0
          e(minloc(abs(n), 1)) = 1
          e = cross(n, e)/norm2(cross(n, e))
-         kinematics%b(:, 1) = over_w(h, hb, t, e)
-         kinematics%b(:, 2) = over_w(h, hb, t, cross(n, e))
+         kinematics%rows%b(:, 1) = over_w(h, hb, t, e)
+         kinematics%rows%b(:, 2) = over_w(h, hb, t, cross(n, e))
       end associate
       do i = 1, 2
          kinematics%between_b(i, i) = 1/kinematics%distance
@@ -214,7 +215,7 @@ contains
       xb1 = on_axis(hb1, x(:, 1:2), t(:, 1:2))
       xb2 = on_axis(hb2, x(:, 1:2), t(:, 1:2))
       xb3 = on_axis(axis_third_derivative(axis, length(1)), x(:, 1:2), t(:, 1:2))
-      associate (n => kinematics%normal, d => kinematics%distance, dxib => kinematics%dxi_bar)
+      associate (n => kinematics%normal, d => kinematics%distance, dxib => kinematics%rows%dxi_bar)
          slope = -dot_product(n, x1)
          along = dot_product(x1, xb1)
          m = dot_product(xb1, xb1) + d*dot_product(n, xb2)                                      ! M
@@ -241,7 +242,7 @@ contains
          real(dp), intent(in) :: v(3)
          real(dp) :: row(24)
 
-         row = (over_w(h, hb, t, v) + dot_product(xb1, v)*kinematics%dxi_bar)/kinematics%distance
+         row = (over_w(h, hb, t, v) + dot_product(xb1, v)*kinematics%rows%dxi_bar)/kinematics%distance
       end function turned_normal
 
       !> How the product of a direction with a derivative of the unbarred axis changes.

@@ -84,8 +84,8 @@ contains
       real(dp), intent(in) :: moved(2)
 
       s%w = kinematics%distance*kinematics%normal
-      s%dplace(:, 1) = kinematics%dxi_bar
-      s%dplace(:, 2) = kinematics%dxi
+      s%dplace(:, 1) = kinematics%rows%dxi_bar
+      s%dplace(:, 2) = kinematics%rows%dxi
       call add_axis(1, 1.0_dp, axis, length(1), kinematics%xi_bar, x(:, 1:2), t(:, 1:2), s)
       call add_axis(2, -1.0_dp, axis, length(2), kinematics%xi, x(:, 3:4), t(:, 3:4), s)
       s%step = s%step + s%motion

@@ -20,21 +20,27 @@ HISTORY, FIELD = 1e-10, 1e-9
 
 
 @pytest.fixture(scope="module")
-def mpi_command(build_target, litz_program):
-    """`mpi_command(2, "run", deck)` is the command line on so many processes."""
-    mpirun = shutil.which("mpirun")
-    if mpirun is None:
+def mpirun(litz_program):
+    """`mpirun(2, program)` is the command line of a program on so many processes."""
+    found = shutil.which("mpirun")
+    if found is None:
         pytest.skip("there is no mpirun (Debian package openmpi-bin)")
     rules = litz_program.resolve().parents[1] / "build.ninja"
     if not (rules.is_file() and "build fortran/litz-mpi:" in rules.read_text()):
         pytest.skip("built without litz-mpi (-Dmpi=enabled, Debian packages libmumps-dev, libopenmpi-dev)")
-    program = build_target("fortran/litz-mpi")
 
     def command(ranks, *words):
         as_root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
-        return [mpirun, "--oversubscribe", *as_root, "-n", str(ranks), str(program), *map(str, words)]
+        return [found, "--oversubscribe", *as_root, "-n", str(ranks), *map(str, words)]
 
     return command
+
+
+@pytest.fixture(scope="module")
+def mpi_command(mpirun, build_target):
+    """`mpi_command(2, "run", deck)` is the command line of `litz-mpi`."""
+    program = build_target("fortran/litz-mpi")
+    return lambda ranks, *words: mpirun(ranks, program, *words)
 
 
 @pytest.fixture
@@ -129,3 +135,18 @@ def test_a_process_that_is_killed_ends_all(mpi_command, inputs, tmp_path):
         time.sleep(1)
         os.kill(int(processes[-1]), signal.SIGKILL)
         assert mpirun.wait(timeout=60) != 0
+
+
+def test_the_contact_search_over_processes_finds_the_pairs_of_one(mpirun, build_target):
+    """Each process has the elements of its share and those within their reach; the program fails where pairs differ."""
+    program = build_target("tests/search_over_processes")
+    found = {}
+    for ranks in (1, 2, 4):
+        done = subprocess.run(
+            mpirun(ranks, program), capture_output=True, text=True, check=True, timeout=120, env=one_thread()
+        )
+        found[ranks], *shares = map(int, done.stdout.partition(":")[2].split())
+        assert len(shares) == ranks
+        assert sum(shares) == found[ranks]
+        assert min(shares) > 0
+    assert found[1] == found[2] == found[4] > 100_000

@@ -1184,8 +1184,9 @@ contains
 
       points%mixed_force = points%force
       points%predicted = .false.
-      points%friction_iteration%status = points%friction%status
       do i = 1, size(points)
+         if (.not. allocated(points(i)%friction_iteration)) cycle
+         points(i)%friction_iteration%status = points(i)%friction%status
          points(i)%friction_iteration%mixed_traction = points(i)%friction%traction
       end do
    end subroutine suppose_what_is
@@ -1241,7 +1242,7 @@ contains
          associate (point => problem%contact%points(i))
             if (.not. point%closed) cycle
             nodes = [problem%model%connectivity(:, point%element_bar), problem%model%connectivity(:, point%element)]
-            term = (point%torque*point%kinematics%dangle - point%force*point%kinematics%dgap) &
+            term = (point%torque*point%kinematics%rows%dangle - point%force*point%kinematics%dgap) &
                *slope_of_modulus(problem, point, reshape(v(1:6, nodes), [24]))
             product(1:6, nodes) = product(1:6, nodes) + reshape(term, [6, 4])
          end associate
@@ -1262,8 +1263,8 @@ contains
       if (problem%model%interactions(problem%model%contact_pairs(point%pair)%interaction)%normal%is_straight) return
       do side = 1, 2
          moved = point
-         moved%xi_bar = point%xi_bar + (2*side - 3)*step*dot_product(point%kinematics%dxi_bar, v)
-         moved%xi = point%xi + (2*side - 3)*step*dot_product(point%kinematics%dxi, v)
+         moved%xi_bar = point%xi_bar + (2*side - 3)*step*dot_product(point%kinematics%rows%dxi_bar, v)
+         moved%xi = point%xi + (2*side - 3)*step*dot_product(point%kinematics%rows%dxi, v)
          pair(side) = wires_of(problem%model, problem%elements, moved)
       end do
       slope = log(effective_modulus(pair(2)%young, pair(2)%poisson)/effective_modulus(pair(1)%young, pair(1)%poisson)) &

@@ -31,6 +31,7 @@ BENCHMARKS = (
     "pile",
     "mats",
     "strand",
+    "petal",
     "search",
     "batches",
     "iteration_profile",
