@@ -227,9 +227,9 @@ contains
       if (overlap%value > 0) energy = overlap**energy_power
    end function energy_of
 
-   !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the wire
-   !> is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins at the
-   !> end, where the wire leans, the same up to `u^2 = x^2/(kappa delta_c + x^2)` of a wedge.
+   !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the
+   !> wire is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins
+   !> at the end, where the wire leans, the same up to `u^2 = x^2/(kappa delta_c + x^2)` of a wedge.
    pure type(jet_t) function kept_by_end(x, overlap, extent) result(energy)
       !> `a sqrt(k/2)` [m^(1/2)], and the overlap of the cylinder at its end, delta_c
       type(jet_t), intent(in) :: x, overlap
