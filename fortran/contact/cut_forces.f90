@@ -6,7 +6,7 @@
 module litz_cut_forces
    use litz_kinds, only: dp, pi
    use litz_contact_points, only: contact_point_t
-   use litz_cut_lens, only: lens_part_t, cut_energy, is_whole
+   use litz_cut_lens, only: cut_lens_t, lens_part_t, cut_energy, is_whole
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_near_ends, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t
@@ -125,7 +125,43 @@ contains
          end do
       end do
       point%lens%has_energies = .true.
+      if (.not. law%line_penalty() > 0) call find_extents(pair, cylinders, point%lens)
    end subroutine find_energies
+
+   !> How far the spot reaches along the wires, and where the cylinder behind a round end on which a wire leans comes to
+   !> be felt: as the spot of the round end reaches it.
+   pure subroutine find_extents(pair, cylinders, lens)
+      type(wire_pair_t), intent(in) :: pair
+      type(hertz_ellipse_t), intent(in) :: cylinders
+      type(cut_lens_t), intent(inout) :: lens
+      type(hertz_ellipse_t) :: of_end
+      real(dp) :: radius(2), sine, cosine, shift
+      integer :: i, info
+
+      sine = sin(cylinders%angle)
+      cosine = cos(cylinders%angle)
+      do i = 1, 2
+         radius = pair%radius([i, 3 - i])
+         ! the flattest direction lies between the wires, at half of this angle from the wire
+         associate (cosine_of_twice => (radius(2) + radius(1)*(cosine**2 - sine**2)) &
+            /hypot(radius(2) + radius(1)*(cosine**2 - sine**2), 2*radius(1)*sine*cosine))
+            lens%extent(i) = min(1.0_dp, lens%bend(i)/(2*lens%distance)*extent_of(cylinders, (1 + cosine_of_twice)/2))
+         end associate
+         call hertz_ellipse(pair%radius, pair%young, pair%poisson, cylinders%angle, of_end, info, [1, 2] == i)
+         ! a sphere that leans by t touches r t away from its pole, less where the other wire is curved that way
+         shift = radius(1)*(1 - radius(1)*sine**2/sum(radius))
+         lens%receding(i) = (shift/lens%distance)**2/extent_of(of_end, cosine**2)
+      end do
+   end subroutine find_extents
+
+   !> Square of half the length of a spot along a direction, over its approach [m].
+   pure real(dp) function extent_of(ellipse, cosine_squared) result(extent)
+      type(hertz_ellipse_t), intent(in) :: ellipse
+      !> Of the angle between the direction and the major axis
+      real(dp), intent(in) :: cosine_squared
+
+      extent = ellipse%semi_major**2/ellipse%approach*(cosine_squared + ellipse%ratio**2*(1 - cosine_squared))
+   end function extent_of
 
    !> The ellipse of the spot, which stays what it was while the iteration goes on but for its force.
    pure subroutine ellipse_of_parts(pair, point, info)

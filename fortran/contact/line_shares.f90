@@ -12,14 +12,16 @@ module litz_line_shares
       divide_at_ends, tells_shares, place_at_ends, flatness, least_bend, deepest
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, chain_by_place, pair_geometry, &
       law_too_curved
+   use litz_cut_forces, only: kept_part
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
+   use litz_lap_of_place, only: lap_of_place_t
    use litz_lens_growth, only: settle_growth
    use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: line_profile_t, line_profile
-   use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
+   use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing, bound_by_lap
    use litz_line_places, only: line_places_t, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
@@ -139,7 +141,7 @@ contains
       before = point%weight
       call share_crossing(law, wires, elements, contact, by_place, point)
       ! the iteration goes on from the overlap that it has come to
-      if (before > 0) point%mixed_force = point%mixed_force*(point%weight/before)
+      if (before > 0 .and. .not. is_cut(point%lens)) point%mixed_force = point%mixed_force*(point%weight/before)
    end subroutine reshare_crossing
 
    !> What a crossing carries. Its law sees the angle of the axes; at small angles and along long lenses it sees that of
@@ -258,6 +260,8 @@ contains
                   call set_angle_of_axes(point)
                   if (serves_lines(model, point%pair)) call blend_angle_of_lens(point)
                   call settle_ends(law, wires_of(model, elements, point), point)
+                  if (earlier%weight*kept_part(earlier) > 0) point%mixed_force = point%mixed_force*(point%weight &
+                     *kept_part(point)/(earlier%weight*kept_part(earlier)))
                   largest_change = max(largest_change, change_of_energies(earlier%lens, point%lens))
                end if
             end associate
@@ -298,6 +302,7 @@ contains
          point%line_share = 1
          point%energy_ratio = 1
          point%section_share = 1
+         point%lap = lap_of_place_t()
          point%spot_section = 1
          point%kept_overlap = 0
          point%deepest = 0
@@ -327,8 +332,9 @@ contains
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
          call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
-         point%dweight_dlap = part*of_lap(1)
-         point%d2weight_dlap2 = part*of_lap(2)
+         point%lap%dweight = part*of_lap(1)
+         point%lap%d2weight = part*of_lap(2)
+         call bound_by_lap(wires, elements, minval(elements%radius(pair)), point)
          point%weight = part*contact%places%length(point%line_place)*of_length
          point%cell%reach = cell_at_lap(wires, elements, contact%places, rate, point)
          point%settled_weight = point%weight

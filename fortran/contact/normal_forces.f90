@@ -11,6 +11,7 @@ module litz_normal_forces
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse, hertz_ok
+   use litz_lap_of_place, only: lap_force_t, force_along_lap
    use litz_law_input, only: wire_pair_t
    use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
    use litz_lens_law, only: lens_t, lens_force, lens_energy
@@ -437,15 +438,17 @@ contains
       real(dp), intent(in) :: penalty
       type(contact_point_t), intent(inout) :: point
       type(line_force_t) :: law
+      type(lap_force_t) :: along
 
       law = place_force(point%yielding_place, point%line, -point%gap, penalty)
       if (point%yielding_place%yields) call follow_place(point)
       point%at_gap = force_of_line(law, point%weight)
       if (point%lens%near(1) .and. point%closed) then
-         point%slide_force = [point%dweight_dlap*law%energy, 0.0_dp]
-         point%slide_by_overlap = [point%dweight_dlap*law%force, 0.0_dp]
+         along = force_along_lap(point%lap, point%line, point%section_share, point%weight, law)
+         point%slide_force = [along%force, 0.0_dp]
+         point%slide_by_overlap = [along%by_overlap, 0.0_dp]
          point%slide_stiffness = 0
-         point%slide_stiffness(1, 1) = point%d2weight_dlap2*law%energy
+         point%slide_stiffness(1, 1) = along%stiffness
       end if
       if (.not. point%active) return
       if (.not. point%predicted) point%predicted_gap = point%gap

@@ -24,7 +24,7 @@ contains
          - earlier%angle))
       if (any(earlier%near .neqv. lens%near)) change = 1
       if (any(earlier%near .neqv. lens%near) .or. .not. any(lens%near)) return
-      change = max(change, maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
+      change = max(change, maxval(abs(lens%share - earlier%share)), abs(lens%along_line - earlier%along_line), maxval(abs(lens%bend/earlier%bend - 1)), &
          abs(lens%cosine - earlier%cosine))
    end function change_of_cut
 
@@ -33,8 +33,8 @@ contains
       type(cut_lens_t), intent(in) :: earlier, lens
 
       change = 0
-      if (earlier%has_energies .and. lens%has_energies) change = joints_matter*maxval(abs(lens%energy/earlier%energy &
-         - 1))
+      if (.not. (earlier%has_energies .and. lens%has_energies)) return
+      change = joints_matter*max(maxval(abs(lens%energy/earlier%energy - 1)), maxval(abs(lens%extent - earlier%extent)))
    end function change_of_energies
 
    !> How much the law of a crossing has changed: its share, and the sine that it sees.

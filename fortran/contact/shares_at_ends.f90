@@ -79,7 +79,7 @@ contains
       integer :: i, j
 
       if (.not. allocated(point%legs)) then
-         call divide_share(1 - own%line_share, share_beside_places(elements, contact%places, [point%element_bar, &
+         call divide_share(law, 1 - own%line_share, share_beside_places(elements, contact%places, [point%element_bar, &
             point%element], 1 - own%line_share, own%length), point)
          return
       end if
@@ -117,7 +117,7 @@ contains
             end associate
          end do
       end do
-      call divide_share(of_cylinders/parts, of_ends, point)
+      call divide_share(law, of_cylinders/parts, of_ends, point)
       if (.not. point%lens%is_near_joint) return
       point%lens_sine = left/over_sine
       point%lens_share = 1
@@ -284,19 +284,27 @@ contains
       share = share_of_ends(1 - of_crossing, length, resolution*spacing_of_places(places, pair, elements%length(pair)))
    end function share_beside_places
 
-   !> What a contact carries: cylinders what places along the line leave, round ends and joints their share.
-   pure subroutine divide_share(of_cylinders, of_ends, point)
+   !> What a contact carries: cylinders what places along the line leave, round joints their share, and round ends what
+   !> they have beside a line.
+   pure subroutine divide_share(law, of_cylinders, of_joints, point)
+      type(normal_law_t), intent(in) :: law
       !> [-]
-      real(dp), intent(in) :: of_cylinders, of_ends
+      real(dp), intent(in) :: of_cylinders, of_joints
       type(contact_point_t), intent(inout) :: point
+      real(dp) :: round(2)
 
+      ! a penalty per length is one of the length of the wire
+      point%lens%along_line = 0
+      if (.not. law%line_penalty() > 0) point%lens%along_line = 1 - of_cylinders
       point%lens%share = 1
       point%weight = of_cylinders
       if (.not. is_cut(point%lens)) return
-      point%weight = max(of_cylinders, of_ends)
+      round = merge(1.0_dp, of_joints, point%lens%near .and. .not. law%line_penalty() > 0)
+      point%weight = max(of_cylinders, maxval(round))
       if (.not. point%weight > 0) return
-      point%lens%share = of_ends/point%weight
-      point%lens%share(1, 1) = of_cylinders/point%weight
+      point%lens%share = reshape([of_cylinders, round(1), round(2), minval(round)], [2, 2])/point%weight
+      ! the section bounds the field of cylinders, not that of round ends
+      if (.not. point%lens%is_near_joint) point%section_share = (1 - point%lens%along_line)*point%section_share
    end subroutine divide_share
 
    !> How much the lens counts beside the angle of the axes.

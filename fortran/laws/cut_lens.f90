@@ -22,6 +22,9 @@ module litz_cut_lens
    !> which on one runs into the other (5 and 15 degrees)
    real(dp), parameter, public :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
 
+   !> What a round end has beside a long overlap, which is the integral along the line up to the end: half of the spot
+   !> lies beyond it
+   real(dp), parameter :: half_of_end = 0.5_dp
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
    real(dp), parameter :: least_common = 0.01_dp
 
@@ -39,6 +42,10 @@ module litz_cut_lens
       !> Energy of the pairs of shapes over that of two cylinders, at the same overlap: index 1 of a cylinder, 2 of a
       !> round end, barred before unbarred (2, 2)
       real(dp) :: energy(2, 2) = 1
+      !> Square of the length of the spot along either wire, over that of the overlap (2) [-]
+      real(dp) :: extent(2) = 1
+      !> By how much less than the round end the cylinder behind it overlaps, over the square of its place (2) [1/m]
+      real(dp) :: receding(2) = 0
       !> It is at a joint of either wire, or a joint cuts its overlap: what the cylinders (1) of all legs and the round
       !> joint (2) of the barred and the unbarred wire have of the force, in parts of what they would have alone (2, 2),
       !> and what counts of the part of both cylinders
@@ -51,6 +58,8 @@ module litz_cut_lens
       real(dp) :: of_ball(2) = 0
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
       real(dp) :: share(2, 2) = 1
+      !> How far places along the line carry the cylinders of a contact that is at an end
+      real(dp) :: along_line = 0
    end type cut_lens_t
 
    !> Part of the energy of two uncut cylinders, as a function of overlap and of both places.
@@ -106,7 +115,7 @@ contains
       real(dp), intent(in) :: overlap, place(2)
       type(jet_t) :: pair(2, 2)
       type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
-      type(jet_t) :: of_cylinders
+      type(jet_t) :: of_cylinders, recess, sphere(2)
       real(dp) :: root(2)
       integer :: i
 
@@ -117,9 +126,13 @@ contains
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
+         sphere(i) = constant(0.0_dp)
          if (.not. lens%near(i)) cycle
-         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i))
+         recess = constant(0.0_dp)
+         if (held(i) .and. place(i) < 0) recess = lens%receding(i)*variable(place(i), i + 1)*variable(place(i), i + 1)
+         cylinder(i) = kept_by_end(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, lens%extent(i))
          over_foot(i) = energy_to(root(i)*foot(i), corner)
+         middle = middle - recess
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
          cylinder(i) = flat*cylinder(i)
@@ -135,8 +148,12 @@ contains
       pair(1, 2) = of_cylinders*(1.0_dp - cylinder(2))*over_foot(1)
       pair(2, 2) = constant(0.0_dp)
       if (all(lens%near)) pair(2, 2) = at_least_zero(1.0_dp - both - pair(2, 1) - pair(1, 2))*energy_of(corner)*scale
-      pair(2, 1) = pair(2, 1)*energy_of(at_end(1))*scale
-      pair(1, 2) = pair(1, 2)*energy_of(at_end(2))*scale
+      do i = 1, 2
+         if (lens%near(i)) sphere(i) = (half_of_end*lens%along_line + (1 - lens%along_line)*(1.0_dp - cylinder(i))) &
+            *energy_of(at_end(i))
+      end do
+      pair(2, 1) = of_cylinders*over_foot(2)*sphere(1)*scale
+      pair(1, 2) = of_cylinders*over_foot(1)*sphere(2)*scale
    end function parts_of_pairs
 
    !> What joints leave of the parts of cylinders and ends: of each cylinder those of its legs, the joint has the rest.
@@ -219,6 +236,32 @@ contains
       energy = constant(0.0_dp)
       if (overlap%value > 0) energy = overlap**energy_power
    end function energy_of
+
+   !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the wire
+   !> is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins at the
+   !> end, where the wire leans, the same up to `u^2 = x^2/(kappa delta_c + x^2)` of a wedge.
+   pure type(jet_t) function kept_by_end(x, overlap, extent) result(energy)
+      !> `a sqrt(k/2)` [m^(1/2)], and the overlap of the cylinder at its end, delta_c
+      type(jet_t), intent(in) :: x, overlap
+      !> kappa^2
+      real(dp), intent(in) :: extent
+      type(jet_t) :: u, square, whole
+      real(dp) :: kappa
+
+      energy = constant(merge(1.0_dp, 0.0_dp, x%value > 0))
+      square = x*x
+      whole = overlap + square
+      kappa = sqrt(extent)
+      if (x%value > 0) then
+         if (.not. square%value < extent*whole%value) return
+         u = x*(extent*whole)**(-0.5_dp)
+      else
+         if (.not. overlap%value > 0) return
+         ! kappa^2 where it begins to lean
+         u = x*(square + overlap*(extent*overlap + kappa*square)*whole**(-1.0_dp))**(-0.5_dp)
+      end if
+      energy = energy_below(u)
+   end function kept_by_end
 
    !> `E(u)` of a parabola whose overlap at the end, at `x = u/sqrt(1 - u^2)` of it, is known: `u = x/sqrt(delta +
    !> x^2)`.

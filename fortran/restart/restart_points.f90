@@ -134,10 +134,13 @@ contains
          call table%field('lens_distance', lens%distance)
          call table%field('lens_near_joint', lens%is_near_joint)
          call table%field('lens_of_crossing', lens%of_crossing)
+         call table%field('lens_along_line', lens%along_line)
          do i = 1, 2
             call table%field('lens_near'//trim(wire(i)), lens%near(i))
             call table%field('lens_side'//trim(wire(i)), lens%side(i))
             call table%field('lens_bend'//trim(wire(i)), lens%bend(i))
+            call table%field('lens_extent'//trim(wire(i)), lens%extent(i))
+            call table%field('lens_receding'//trim(wire(i)), lens%receding(i))
             call table%field('legs_at_joint'//trim(wire(i)), lens%of_joint(1, i))
             call table%field('joint'//trim(wire(i)), lens%of_joint(2, i))
             call table%field('legs_mixed'//trim(wire(i)), lens%is_mixed(i))
@@ -156,8 +159,11 @@ contains
       call table%field('cut', point%cut)
       call table%field('cut_stiffness', point%cut_stiffness)
       call table%field('place_bar', point%place(1))
-      call table%field('dweight_dlap', point%dweight_dlap)
-      call table%field('d2weight_dlap2', point%d2weight_dlap2)
+      call table%field('dweight_dlap', point%lap%dweight)
+      call table%field('d2weight_dlap2', point%lap%d2weight)
+      call table%field('strip_bound', point%lap%strip_bound)
+      call table%field('dstrip_bound_dlap', point%lap%dstrip_bound)
+      call table%field('dsection_share_dlap', point%lap%dsection_share)
       call table%field('settled_weight', point%settled_weight)
    end subroutine list_lens
 

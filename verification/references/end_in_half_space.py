@@ -1,4 +1,4 @@
-"""The round end of a cylinder is pressed into an elastic half-space: forces by a boundary-element method.
+"""Round ends of cylinders are pressed into an elastic half-space or onto a cylinder: forces by a boundary-element method.
 
 Source: the deflection of a half-space under even pressure on a rectangle, A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929)
 377-420; contact as a linear complementarity problem, solved by projected conjugate gradients as I. A. Polonsky, L. M. Keer,
@@ -69,6 +69,50 @@ def force_of_end(slope, bend, cells=70):
     return contact_force(along[:, None] + y[None, :] ** 2 / 2, size) / (4 / 3)
 
 
+def force_of_tip(slope, cells=120):
+    """Force over E* r^(1/2) delta^(3/2) of the end of a wire that leans on an equal one, in the plane of both.
+
+    slope: v = t sqrt(r/delta) at which it rises from its end on, positive.
+    """
+    return force_of_wires(lambda x: slope * x + sphere(-x), (-1.5 - slope, 0.4 + 1 / slope), cells)
+
+
+def force_of_lap(length, bend=0.0, cells=120):
+    """The same of two equal wires side by side whose ends are a length apart, over sqrt(r delta).
+
+    bend: k r of the curvature with which they part between the ends, so that these touch first.
+    """
+    half = length / 2
+    return force_of_wires(
+        lambda x: bend / 2 * (half**2 - x**2) + sphere(x - half) + sphere(-x - half), (-half - 1.5, half + 1.5), cells
+    )
+
+
+def force_of_crossing(before, cells=120):
+    """The same of a wire across an equal one, at this length before its end, over sqrt(r delta)."""
+    return force_of_wires(lambda x: x**2 / 2 + sphere(-x - before), (-2.0, 2.0), cells, across=1.0)
+
+
+def sphere(beyond):
+    """What the surface of a round end falls below that of the wire, beyond it."""
+    return np.maximum(beyond, 0) ** 2 / 2
+
+
+def force_of_wires(height, ends, cells, across=2.0):
+    """Force of heights [delta] along a wire between two places [sqrt(r delta)], and the curvature across it."""
+    n, m = round(cells * max(1.0, (ends[1] - ends[0]) / 8)), cells // 2
+    size = ((ends[1] - ends[0]) / n, 3.2 / m)
+    along = height(ends[0] + (np.arange(n) + 0.5) * size[0])
+    y = -1.6 + (np.arange(m) + 0.5) * size[1]
+    # heights are over the lowest one
+    finest = height(np.linspace(*ends, 100 * n)).min()
+    return contact_force((along - finest)[:, None] + across * y[None, :] ** 2 / 2, size, 1e-6)
+
+
 if __name__ == "__main__":
     for slope, bend in ((1.2, 0.0), (0.5, 0.0), (0.3, 0.0), (0.2, 0.0), (0.3, 0.1), (0.2, 0.3)):
         print(slope, bend, *(force_of_end(slope, bend, cells) for cells in (50, 70, 100)))
+    print(*(round(force_of_tip(v), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1)))
+    print(*(round(force_of_lap(length), 3) for length in (2.5, 5.0, 10.0, 20.0)))
+    print(*(round(force_of_lap(20.0, bend), 3) for bend in (0.01, 0.02, 0.03)))
+    print(*(round(force_of_crossing(before), 3) for before in (0.0, 0.3, 0.6, 1.0)))
