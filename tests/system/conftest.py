@@ -38,7 +38,7 @@ def run_of_input(litz_program, made_once, tmp_path_factory):
                 [litz_program, "run", INPUTS / f"{name}.inp", "-o", directory],
                 capture_output=True,
                 text=True,
-                timeout=300,
+                timeout=1800,
                 check=False,
             )
             assert done.returncode == 0, done.stdout + done.stderr
