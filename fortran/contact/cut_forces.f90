@@ -102,7 +102,7 @@ contains
       !> Of two wires without ends at the present gap, as far as the section counts in their law [J]
       real(dp), intent(in) :: energy
       type(contact_point_t), intent(inout) :: point
-      type(hertz_ellipse_t) :: cylinders, one
+      type(hertz_ellipse_t) :: cylinders, one(2, 2)
       real(dp) :: angle, factor, overlap
       integer :: i, j, info
 
@@ -120,38 +120,36 @@ contains
          do i = 1, 2
             point%lens%energy(i, j) = 1
             if (i + j == 2) cycle
-            call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, one, info, [i, j] == 2)
-            point%lens%energy(i, j) = factor*(cylinders%approach/one%approach)**1.5_dp     ! delta = cd F^(2/3)
+            call hertz_ellipse(pair%radius, pair%young, pair%poisson, angle, one(i, j), info, [i, j] == 2)
+            point%lens%energy(i, j) = factor*(cylinders%approach/one(i, j)%approach)**1.5_dp     ! delta = cd F^(2/3)
          end do
       end do
       point%lens%has_energies = .true.
-      if (.not. law%line_penalty() > 0) call find_extents(pair, cylinders, point%lens)
+      if (.not. law%line_penalty() > 0) call find_extents(pair%radius, cylinders, [one(2, 1), one(1, 2)], point%lens)
    end subroutine find_energies
 
    !> How far the spot reaches along the wires, and where the cylinder behind a round end on which a wire leans comes to
    !> be felt: as the spot of the round end reaches it.
-   pure subroutine find_extents(pair, cylinders, lens)
-      type(wire_pair_t), intent(in) :: pair
-      type(hertz_ellipse_t), intent(in) :: cylinders
+   pure subroutine find_extents(radius, cylinders, ends, lens)
+      !> Of the wires (2) [m]
+      real(dp), intent(in) :: radius(2)
+      !> Spot of the cylinders, and that of the round end of either wire on the other one (2)
+      type(hertz_ellipse_t), intent(in) :: cylinders, ends(2)
       type(cut_lens_t), intent(inout) :: lens
-      type(hertz_ellipse_t) :: of_end
-      real(dp) :: radius(2), sine, cosine, shift
-      integer :: i, info
+      real(dp) :: twice(2), shift
+      integer :: i
 
-      sine = sin(cylinders%angle)
-      cosine = cos(cylinders%angle)
-      do i = 1, 2
-         radius = pair%radius([i, 3 - i])
-         ! the flattest direction lies between the wires, at half of this angle from the wire
-         associate (cosine_of_twice => (radius(2) + radius(1)*(cosine**2 - sine**2)) &
-            /hypot(radius(2) + radius(1)*(cosine**2 - sine**2), 2*radius(1)*sine*cosine))
-            lens%extent(i) = min(1.0_dp, lens%bend(i)/(2*lens%distance)*extent_of(cylinders, (1 + cosine_of_twice)/2))
-         end associate
-         call hertz_ellipse(pair%radius, pair%young, pair%poisson, cylinders%angle, of_end, info, [1, 2] == i)
-         ! a sphere that leans by t touches r t away from its pole, less where the other wire is curved that way
-         shift = radius(1)*(1 - radius(1)*sine**2/sum(radius))
-         lens%receding(i) = (shift/lens%distance)**2/extent_of(of_end, cosine**2)
-      end do
+      associate (angle => cylinders%angle)
+         do i = 1, 2
+            ! the flattest direction lies between the wires: cosine and sine of twice its angle to this one
+            twice = [radius(3 - i) + radius(i)*cos(2*angle), radius(i)*sin(2*angle)]
+            twice = twice/max(norm2(twice), tiny(shift))
+            lens%extent(i) = min(1.0_dp, lens%bend(i)/(2*lens%distance)*extent_of(cylinders, (1 + twice(1))/2))
+            ! a sphere that leans by t touches r t away from its pole, less where the other wire is curved that way
+            shift = radius(i)*(1 - radius(i)*sin(angle)**2/sum(radius))
+            lens%receding(i) = (shift/lens%distance)**2/extent_of(ends(i), cos(angle)**2)
+         end do
+      end associate
    end subroutine find_extents
 
    !> Square of half the length of a spot along a direction, over its approach [m].

@@ -22,6 +22,9 @@ module litz_cut_lens
    !> which on one runs into the other (5 and 15 degrees)
    real(dp), parameter, public :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
 
+   !> kappa^2 of a spot that is as long as the overlap
+   real(dp), parameter :: whole_overlap = 1
+
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
    real(dp), parameter :: least_common = 0.01_dp
 
@@ -124,8 +127,8 @@ contains
          if (.not. lens%near(i)) cycle
          recess = constant(0.0_dp)
          if (held(i) .and. place(i) < 0) recess = lens%receding(i)*variable(place(i), i + 1)*variable(place(i), i + 1)
-         cylinder(i) = kept_by_end(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, lens%extent(i))
-         over_foot(i) = energy_to(root(i)*foot(i), corner)
+         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, lens%extent(i))
+         over_foot(i) = energy_to(root(i)*foot(i), corner, whole_overlap)
          middle = middle - recess
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
@@ -230,7 +233,7 @@ contains
    !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the
    !> wire is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins
    !> at the end, where the wire leans, the same up to `u^2 = x^2/(kappa delta_c + x^2)` of a wedge.
-   pure type(jet_t) function kept_by_end(x, overlap, extent) result(energy)
+   pure type(jet_t) function energy_to(x, overlap, extent) result(energy)
       !> `a sqrt(k/2)` [m^(1/2)], and the overlap of the cylinder at its end, delta_c
       type(jet_t), intent(in) :: x, overlap
       !> kappa^2
@@ -250,20 +253,6 @@ contains
          ! kappa^2 where it begins to lean
          u = x*(square + overlap*(extent*overlap + kappa*square)*whole**(-1.0_dp))**(-0.5_dp)
       end if
-      energy = energy_below(u)
-   end function kept_by_end
-
-   !> `E(u)` of a parabola whose overlap at the end, at `x = u/sqrt(1 - u^2)` of it, is known: `u = x/sqrt(delta +
-   !> x^2)`.
-   pure type(jet_t) function energy_to(x, overlap) result(energy)
-      !> `a sqrt(k/2)` [m^(1/2)], and the overlap at the end
-      type(jet_t), intent(in) :: x, overlap
-      type(jet_t) :: u, square
-
-      energy = constant(merge(1.0_dp, 0.0_dp, x%value > 0))
-      if (.not. overlap%value > 0) return
-      square = overlap + x*x
-      u = x*square**(-0.5_dp)
       energy = energy_below(u)
    end function energy_to
 
