@@ -2,15 +2,18 @@
 
 import argparse
 import sys
+import textwrap
+import warnings
 from pathlib import Path
 
 from ..build.starters import new, starter_list
-from ..errors import FileError
+from ..errors import FileError, LitzError
 from ..model import COPPER, Material, Model
 from ..model.abaqus_mesh import DIALECTS
 from ..model.foreign_deck import convert_deck, has_steps
 from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
+from ..runs import check
 from .parsers import command_parser
 
 #: Units of length, in metres
@@ -111,21 +114,34 @@ def _young(options: argparse.Namespace) -> float:
 
 
 def _convert_whole_deck(options: argparse.Namespace) -> int:
-    """A deck with steps keeps all that litz has; exit code 1: something that changes results is missing."""
+    """A deck with steps keeps all that litz has; exit code 1: something that changes results is missing, or it cannot run."""
     units = {} if options.length is None else {"LENGTH": options.length}
     converted = convert_deck(Path(options.mesh), options.dialect, units)
     Path(options.deck).write_text(converted.text, encoding="utf-8", errors="surrogateescape")
-    print(f"wrote {options.deck}; check it: litz check {options.deck}")
+    refused = _refusal(Path(options.deck))
+    print(f"wrote {options.deck}" + ("" if refused else f"; look at it: litz check {options.deck}"))
     for title, reasons in (
         ("comments, without which the results are the same", converted.ignored),
         ("comments, WITHOUT WHICH THE RESULTS ARE OTHERS", converted.left_out),
+        (f"{options.deck} CANNOT RUN AS IT IS", [refused] if refused else []),
     ):
         if reasons:
             print(f"{title}:", file=sys.stderr)
         for reason in dict.fromkeys(reasons):
-            print(f"  {reason}", file=sys.stderr)
+            print(textwrap.indent(reason, "  "), file=sys.stderr)
     # what is missing must not go unnoticed in scripts
-    return 1 if converted.left_out else 0
+    return 1 if converted.left_out or refused else 0
+
+
+def _refusal(deck: Path) -> str:
+    """What the program says about a deck that it does not take; empty: it takes it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            check(deck)
+        except LitzError as error:
+            return str(error)
+    return ""
 
 
 def _write_with_outline(model: Model, path: Path) -> None:

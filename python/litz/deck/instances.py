@@ -17,7 +17,7 @@ from .deck import Deck
 from .lines import Value, data_line, is_comment, line_end
 
 #: Cards whose data lines begin with a node or an element, or the name of a set
-_ON_NODES = ("BOUNDARY", "CLOAD", "CECURRENT", "CFLUX", "TEMPERATURE", "INITIAL CONDITIONS")
+_ON_NODES = ("BOUNDARY", "CLOAD", "CECURRENT", "CFLUX", "TEMPERATURE", "INITIAL CONDITIONS", "KINEMATIC COUPLING")
 _ON_ELEMENTS = ("DLOAD", "LORENTZ", "DFLUX", "FILM", "RADIATE", "SURFACE")
 #: Cards that have no meaning where the instances are placed
 _STRUCTURE = ("ASSEMBLY", "END ASSEMBLY")
@@ -232,7 +232,8 @@ class _Instances:
         elif card.is_a("NSET") or card.is_a("ELSET"):
             self._collect(card, instance, prefix)
         elif any(card.is_a(one) for one in (*_ON_NODES, *_ON_ELEMENTS)):
-            numbers = self.nodes if any(card.is_a(one) for one in _ON_NODES) else self.elements
+            is_of_nodes = any(card.is_a(one) for one in _ON_NODES) or str(card.get("TYPE", "")).upper() == "NODE"
+            numbers = self.nodes if is_of_nodes else self.elements
             for i, row in enumerate(card.data):
                 if row and row[0] is not None:
                     new = self._item_or_set(row[0], numbers, instance if prefix else "", prefix)
@@ -240,6 +241,8 @@ class _Instances:
                         card[i, 0] = new
         elif card.is_a("EQUATION"):
             self._renumber_terms(card, instance, prefix)
+        elif card.is_a("MPC"):
+            self._renumber_joints(card, instance, prefix)
         if card.is_a("SURFACE") and prefix:
             card["NAME"] = f"{prefix}{card['NAME']}"
         if "REF NODE" in card:
@@ -265,6 +268,13 @@ class _Instances:
                 row[i] = self._item_or_set(row[i], self.nodes, instance, prefix)
                 n_left -= 1
         _rewrite(card, rows)
+
+    def _renumber_joints(self, card: Card, instance: str, prefix: str) -> None:
+        """Nodes of multi-point constraints, behind the word that says what joins them."""
+        for i, row in enumerate(card.data):
+            for j, value in enumerate(row[1:], start=1):
+                if value is not None:
+                    card[i, j] = self._item_or_set(value, self.nodes, instance if prefix else "", prefix)
 
     def _item_or_set(self, value: Value, numbers: dict[tuple[str, int], int], instance: str, prefix: str) -> Value:
         """A number as the flat deck has it, or a set of the instance."""

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from ..deck import Card
+from .mesh_of_cards import MeshOfCards
 
 #: Label, and which side of a rectangle is across its direction
 _ACROSS = {"P1": 1, "P2": 0}
@@ -33,14 +34,15 @@ def pressures_as_forces(cards: list[Card], dialect: str | None, path: Path) -> l
             f"{path}: P1 and P2 of *DLOAD are forces per length in Abaqus, but pressures in CalculiX: which of them is meant"
             " must be told by --dialect abaqus or --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
         )
-    sections = [(_elements(cards, str(card["ELSET"])), card) for card in cards if _is_section(card)]
+    mesh = MeshOfCards(cards)
+    sections = [(mesh.elements(str(card["ELSET"])), card) for card in cards if _is_section(card)]
     left_out = []
     for load in loads:
         kept = []
         for row in load.data:
             label = _label(row)
             if label in _ACROSS:
-                found = [card for elements, card in sections if elements & _elements(cards, str(row[0]))]
+                found = [card for elements, card in sections if elements & mesh.elements(row[0])]
                 reason = _reason(found, label)
                 if reason:
                     text = f"*DLOAD, {row[0]}, {label}: {reason}"
@@ -77,22 +79,3 @@ def _reason(sections: list[Card], label: str) -> str:
     if len({_width(card, label) for card in sections}) > 1:
         return "a pressure in CalculiX, on sections of several widths: write a line for each"
     return ""
-
-
-def _elements(cards: list[Card], name: str) -> set[int]:
-    """Numbers of the elements of a set, or the one that is a number itself."""
-    if name.isdigit():
-        return {int(name)}
-    found: set[int] = set()
-    for card in cards:
-        if str(card.get("ELSET", "")).upper() != name.upper():
-            continue
-        if card.is_a("ELEMENT"):
-            found |= {row[0] for row in card.data if isinstance(row[0], int)}
-        elif card.is_a("ELSET") and "GENERATE" in card:
-            for first, last, *step in card.data:
-                found |= set(range(int(str(first)), int(str(last)) + 1, int(str(step[0])) if step and step[0] else 1))
-        elif card.is_a("ELSET"):
-            for member in (one for row in card.data for one in row if one is not None):
-                found |= _elements(cards, str(member))
-    return found

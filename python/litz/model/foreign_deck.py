@@ -1,7 +1,7 @@
 """Decks of Abaqus and CalculiX with steps as decks of litz: what litz has stays, the rest becomes comments with reasons."""
 
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,11 +11,13 @@ from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import check_card, keywords, squeezed
 from .abaqus_mesh import round_section
 from .beam_surfaces import surfaces_as_sets
+from .distributing_couplings import distributing_couplings_as_equations
 from .face_pressures import pressures_as_forces
 from .foreign_parameters import remove_foreign_parameters
 from .general_contact import general_contact
 from .kinematic_couplings import couplings_as_rigid_bodies
 from .materials import General, Material
+from .multi_point_constraints import constraints_as_rigid_bodies
 from .smooth_steps import smooth_steps_as_tables
 from .unused_definitions import unused_definitions
 
@@ -39,6 +41,11 @@ class ConvertedDeck:
     text: str
     left_out: list[str] = field(default_factory=list)
     ignored: list[str] = field(default_factory=list)
+
+    def tell(self, changes: Iterable[tuple[str, bool]]) -> None:
+        """Note what is to be said, and whether results change."""
+        for reason, matters in changes:
+            (self.left_out if matters else self.ignored).append(reason)
 
 
 def has_steps(path: Path) -> bool:
@@ -71,9 +78,10 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     converted = ConvertedDeck("")
     materials = _materials(cards)
     converted.ignored += couplings_as_rigid_bodies(cards)
+    for change in (distributing_couplings_as_equations(cards), constraints_as_rigid_bodies(cards, dialect, path)):
+        converted.tell(change)
     surfaces = list(surfaces_as_sets(cards))
-    for reason, matters in remove_foreign_parameters(cards):
-        (converted.left_out if matters else converted.ignored).append(reason)
+    converted.tell(remove_foreign_parameters(cards))
     converted.ignored += smooth_steps_as_tables(cards)
     converted.left_out += pressures_as_forces(cards, dialect, path)
     chunks = [_converted(card, dialect, materials, path) for card in cards]

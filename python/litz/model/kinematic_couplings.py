@@ -14,6 +14,7 @@ def couplings_as_rigid_bodies(cards: list[Card]) -> Iterator[str]:
     All six degrees of freedom are those of nodes that are tied, 1 to 3 those of nodes that are pinned. What couples others, or
     those of axes of its own, is left as it is.
     """
+    yield from _couplings_of_nodes(cards)
     surfaces = {str(card.get("NAME", "")).upper(): card for card in cards if card.is_a("SURFACE")}
     of_nodes: dict[str, str] = {}
     for place in range(len(cards) - 1, 0, -1):
@@ -33,22 +34,53 @@ def couplings_as_rigid_bodies(cards: list[Card]) -> Iterator[str]:
         of_nodes[name.upper()] = nodes
         cards[place - 1 : place + 1] = [*sets, body]
         yield f"*COUPLING of {coupling['REF NODE']} and {name} is a *RIGID BODY, {parameter}={nodes}"
+    remove_spare_surfaces(cards, set(of_nodes))
+
+
+def remove_spare_surfaces(cards: list[Card], names: set[str]) -> None:
+    """Remove, from the list, surfaces of nodes that couplings named, unless others name them still."""
     named = {str(value).upper() for card in cards if card.is_a("CONTACT PAIR") for row in card.data for value in row}
     named |= {str(card["SURFACE"]).upper() for card in cards if "SURFACE" in card}
-    cards[:] = [card for card in cards if not _is_spare(card, set(of_nodes) - named)]
+    cards[:] = [card for card in cards if not _is_spare(card, names - named)]
+
+
+def influences_all(coupling: Card) -> bool:
+    """Whether a coupling has all nodes of its surface."""
+    return str(coupling.get("INFLUENCE RADIUS", "WHOLE SURFACE")).upper() == "WHOLE SURFACE"
 
 
 def _kind_of_nodes(coupling: Card, kinematic: Card) -> str:
     """The parameter of `*RIGID BODY` that has the nodes; empty: these are no nodes of a rigid body."""
-    if str(coupling.get("INFLUENCE RADIUS", "WHOLE SURFACE")).upper() != "WHOLE SURFACE" or "REF NODE" not in coupling:
+    if not influences_all(coupling) or "REF NODE" not in coupling:
         return ""
+    return _kind(kinematic.data, "ORIENTATION" in coupling)
+
+
+def _kind(rows: list[list[Value]], has_axes: bool) -> str:
+    """The parameter of `*RIGID BODY` for nodes whose degrees of freedom are coupled from the first to the last on each line."""
     coupled: set[int] = set()
-    for first, *rest in kinematic.data:
+    for first, *rest in rows:
         last = first if not rest or rest[0] is None else rest[0]
         coupled |= set(range(int(first or 0), int(last or 0) + 1))
     if not coupled or coupled == _MOTIONS | _ROTATIONS:
         return "TIE NSET"
-    return "PIN NSET" if coupled == _MOTIONS and "ORIENTATION" not in coupling else ""
+    return "PIN NSET" if coupled == _MOTIONS and not has_axes else ""
+
+
+def _couplings_of_nodes(cards: list[Card]) -> Iterator[str]:
+    """Replace, in the list, each `*KINEMATIC COUPLING` of nodes that are all tied, or all pinned."""
+    for place in range(len(cards) - 1, -1, -1):
+        card = cards[place]
+        if not card.is_a("KINEMATIC COUPLING") or "REF NODE" not in card:
+            continue
+        kinds = {_kind([row[1:]] if len(row) > 1 else [], "ORIENTATION" in card) for row in card.data if row}
+        if len(kinds) != 1 or not (parameter := kinds.pop()):
+            continue
+        name = _free_name(f"{parameter[:3]}_{card['REF NODE']}", {str(one["NSET"]).upper() for one in cards if "NSET" in one})
+        nodes = Card.make("NSET", {"NSET": name}, [[row[0]] for row in card.data if row])
+        nodes.comments = card.comments
+        cards[place : place + 1] = [nodes, Card.make("RIGID BODY", {"REF NODE": card["REF NODE"], parameter: name})]
+        yield f"*KINEMATIC COUPLING of {card['REF NODE']} is a *RIGID BODY, {parameter}={name}"
 
 
 def _members(surface: Card) -> list[Value]:
