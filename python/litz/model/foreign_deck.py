@@ -13,6 +13,7 @@ from .abaqus_mesh import round_section
 from .beam_surfaces import surfaces_as_sets
 from .distributing_couplings import distributing_couplings_as_equations
 from .face_pressures import pressures_as_forces
+from .foreign_bodies import foreign_bodies
 from .foreign_parameters import remove_foreign_parameters
 from .general_contact import general_contact
 from .kinematic_couplings import couplings_as_rigid_bodies
@@ -77,7 +78,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     cards = flat_cards(path)
     converted = ConvertedDeck("")
     materials = _materials(cards)
-    converted.ignored += couplings_as_rigid_bodies(cards)
+    converted.ignored += [*couplings_as_rigid_bodies(cards), *foreign_bodies(cards)]
     for change in (distributing_couplings_as_equations(cards), constraints_as_rigid_bodies(cards, dialect, path)):
         converted.tell(change)
     surfaces = list(surfaces_as_sets(cards))
@@ -231,14 +232,21 @@ def _materials(cards: list[Card]) -> dict[str, Material]:
 
 def _converted(card: Card, dialect: str | None, materials: dict[str, Material], path: Path) -> str:
     """The card in the dialect of litz."""
+    if card.is_a("DLOAD") and not card.data and "OP" not in card:
+        # all its loads have become comments
+        return _commented(card, "")
     if not (card.is_a("BEAM SECTION") or card.is_a("BEAM GENERAL SECTION")):
         return card.text
+    if card.is_a("BEAM SECTION") and len(card.data) > 2:
+        # numbers of integration points
+        card.data = card.data[:2]
     shape = str(card.get("SECTION", "")).upper()
     # CalculiX looks at four letters
     if dialect == "ccx" and len(shape) > 4 and shape[:4] in ("RECT", "CIRC", "PIPE"):
         shape = shape[:4]
         card["SECTION"] = shape
-    if shape != "CIRC":
+    has_own_moduli = dialect == "abaqus" and card.is_a("BEAM GENERAL SECTION") and "MATERIAL" not in card
+    if shape != "CIRC" or has_own_moduli:
         return card.text
     material = materials.get(str(card.get("MATERIAL", "")).upper())
     if material is None:

@@ -35,13 +35,17 @@ _FOREIGN = (
     _Foreign(("FRICTION",), ("TAUMAX",), "friction has no largest stress", True),
     _Foreign(("CONTACT PAIR",), ("TYPE", "TRACKING", "MECHANICAL CONSTRAINT", "EXTENSION ZONE"), _CONTACT),
     _Foreign(("CONTACT PAIR",), ("SMALL SLIDING",), _CONTACT, True),
-    _Foreign(("RIGID BODY",), ("POSITION", "ISOTHERMAL"), "the reference node stays where it is"),
+    _Foreign(("CONTACT PAIR",), ("ADJUST",), "nodes stay where they are; INTERFERENCE FIT resolves overlaps", True),
+    _Foreign(("NSET", "ELSET"), ("UNSORTED",), "members are in the order of their numbers"),
+    _Foreign(("RIGID BODY",), ("POSITION",), "the reference node stays where it is", True),
+    _Foreign(("RIGID BODY",), ("ISOTHERMAL",), "temperatures are those of the nodes"),
 )  # fmt: skip
 #: Keywords with parameters that other programs alone have, and the values that say what litz does anyway
 _AS_IN_LITZ = (
     ("AMPLITUDE", "VALUE", "RELATIVE"),
     ("BOUNDARY", "TYPE", "DISPLACEMENT"),
     ("STEP", "AMPLITUDE", "RAMP"),
+    ("RIGID BODY", "POSITION", "INPUT"),
 )
 
 

@@ -27,7 +27,7 @@ def couplings_as_rigid_bodies(cards: list[Card]) -> Iterator[str]:
             continue
         name = str(surface["NAME"])
         taken = {str(card["NSET"]).upper() for card in cards if "NSET" in card}
-        nodes = of_nodes.get(name.upper()) or _free_name(name, taken)
+        nodes = of_nodes.get(name.upper()) or free_name(name, taken)
         body = Card.make("RIGID BODY", {"REF NODE": coupling["REF NODE"], parameter: nodes})
         body.comments, body.line = coupling.comments, coupling.line
         sets = [] if name.upper() in of_nodes else list(_node_sets(surface, nodes, members))
@@ -76,7 +76,7 @@ def _couplings_of_nodes(cards: list[Card]) -> Iterator[str]:
         kinds = {_kind([row[1:]] if len(row) > 1 else [], "ORIENTATION" in card) for row in card.data if row}
         if len(kinds) != 1 or not (parameter := kinds.pop()):
             continue
-        name = _free_name(f"{parameter[:3]}_{card['REF NODE']}", {str(one["NSET"]).upper() for one in cards if "NSET" in one})
+        name = free_name(f"{parameter[:3]}_{card['REF NODE']}", {str(one["NSET"]).upper() for one in cards if "NSET" in one})
         nodes = Card.make("NSET", {"NSET": name}, [[row[0]] for row in card.data if row])
         nodes.comments = card.comments
         cards[place : place + 1] = [nodes, Card.make("RIGID BODY", {"REF NODE": card["REF NODE"], parameter: name})]
@@ -100,7 +100,8 @@ def _node_sets(surface: Card, name: str, members: list[Value]) -> Iterator[Card]
         yield Card.make("NSET", {"NSET": name, "ELSET": elements})
 
 
-def _free_name(name: str, taken: set[str]) -> str:
+def free_name(name: str, taken: set[str]) -> str:
+    """A name that no set has, given the names in capitals."""
     while name.upper() in taken:
         name += "_NODES"
     return name

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..deck import Card
 from ..deck.lines import Value
+from .kinematic_couplings import free_name
 from .mesh_of_cards import MeshOfCards
 
 _JOINTS = ("BEAM", "TIE", "PIN")
@@ -161,7 +162,7 @@ def _body_cards(mesh: MeshOfCards, cards: list[Card], body: _Body, joints: list[
         names = (joint.row[1] for joint in joints if isinstance(joint.row[1], str) and joint.first in nodes)
         name = next((str(one) for one in names if set(mesh.nodes(one)) == nodes), "")
         if not name:
-            name = _free_name(f"{parameter[:3]}_{body.reference}", taken)
+            name = free_name(f"{parameter[:3]}_{body.reference}", taken)
             members = sorted(nodes)
             rows = [members[i : i + _NODES_ON_A_LINE] for i in range(0, len(members), _NODES_ON_A_LINE)]
             yield Card.make("NSET", {"NSET": name}, rows)
@@ -176,9 +177,3 @@ def _equations(joints: list[_Joint]) -> list[Card]:
         for dof in range(1, 7 if joint.kind == "TIE" else 4):
             rows += [[2], [joint.first, dof, 1.0, joint.second, dof, -1.0]]
     return [Card.make("EQUATION", {}, rows)] if rows else []
-
-
-def _free_name(name: str, taken: set[str]) -> str:
-    while name.upper() in taken:
-        name += "_"
-    return name
