@@ -68,7 +68,8 @@ module litz_foreign_words
       ' data line of *BEAM SECTION', role_idle), &
       foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &
       'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
-      ' (or PIN NSET=...); wires that are joined share a node'), &
+      ' (or PIN NSET=...), which `litz convert THIS.inp NEW.inp` writes where they are the same; wires that are'// &
+      ' joined share a node'), &
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
       'only beams are available: a spring is a thin beam, of stiffness EA/L'), &
       foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
@@ -157,10 +158,12 @@ module litz_foreign_words
       'give the values of the nodes in data lines'), &
       foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations,'// &
       ' potentials and temperatures; a velocity is a value that ramps'), &
-      foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction'), &
+      foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction and do not turn with their node'), &
       foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
       foreign_word_t('NODE PRINT|EL PRINT|ENERGY PRINT|CONTACT PRINT', 'FREQUENCY|FREQUENCYF|TIME POINTS|SUMMARY|'// &
       'GLOBAL|POSITION', '', 'leave it out: every increment is written, in global axes', &
+      role_idle), &
+      foreign_word_t('CONTACT PRINT', 'MASTER|SLAVE|NSET|TOTALS', '', 'leave it out: the line is about all contacts', &
       role_idle), &
       foreign_word_t('NODE FILE|EL FILE', 'OUTPUT|NSET|ELSET|GLOBAL|SECTION FORCES|POSITION|TIME POINTS|'// &
       'FREQUENCYF|CONTACT ELEMENTS|CONTACT ELEMENT|LAST ITERATIONS', '', 'leave it out: all fields of all nodes'// &

@@ -387,7 +387,7 @@ contains
          other_kind = ''
          call parse_integer(self%deck%text(token), number, status)
          if (what == 'node' .and. self%element_sets%names%get(name_of(self, token)) > 0) then
-            other_kind = ' (there is an element set of this name)'
+            other_kind = ' (there is an element set of this name; *NSET, NSET=..., ELSET=... has its nodes)'
          else if (what == 'element' .and. self%node_sets%names%get(name_of(self, token)) > 0) then
             other_kind = ' (there is a node set of this name)'
          else if (what == 'element' .and. self%surfaces%names%get(name_of(self, token)) > 0) then

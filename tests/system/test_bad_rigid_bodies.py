@@ -33,7 +33,11 @@ def test_the_deck_without_a_mistake_is_accepted(litz, tmp_path):
         ("TIE NSET=END", "*RIGID BODY needs the parameter REF NODE=...", "RIGID BODY"),
         ("REF NODE=9", "*RIGID BODY needs the parameter TIE NSET=... or PIN NSET=...", "RIGID BODY"),
         ("REF NODE=9, TIE NSET=AND", 'there is no node set "AND"; did you mean END?', "AND"),
-        ("REF NODE=9, PIN NSET=UPPER", "(there is an element set of this name)", "UPPER"),
+        (
+            "REF NODE=9, PIN NSET=UPPER",
+            "(there is an element set of this name; *NSET, NSET=..., ELSET=... has its nodes)",
+            "UPPER",
+        ),
         ("REF NODE=9, TIE NSET=3", "(a name is needed here; a set may hold one node)", "3"),
         ("REF NODE=3, TIE NSET=END", "node 3 of END is the reference node of this rigid body", "END"),
         ("REF NODE=3, PIN NSET=END", "node 3 of END is the reference node of this rigid body", "END"),

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import litz
+from in_process import command
 from litz.deck import Card, Deck
 from litz.model.foreign_deck import convert_deck
 
@@ -63,6 +64,17 @@ def test_decks_of_beams_run(tmp_path, name):
     path = tmp_path / f"{name}.inp"
     path.write_text(text_of(name))
     assert np.isfinite(litz.run(converted(path), output_directory=tmp_path / "out").field("displacement")).all()
+
+
+@pytest.mark.parametrize("name", [*RUN.split(), *NEED])
+def test_a_conversion_without_a_word_of_what_is_missing_passes_its_check(tmp_path, name):
+    (tmp_path / f"{name}.inp").write_text(text_of(name))
+    done = command("convert", f"{name}.inp", "new.inp", "--dialect", "ccx", cwd=tmp_path)
+    if name in NEED:
+        assert done.returncode == 1
+        assert NEED[name] in done.stderr
+    if done.returncode == 0:
+        litz.check(tmp_path / "new.inp")
 
 
 @pytest.mark.parametrize("name", NEED)

@@ -18,6 +18,8 @@ from .parsers import command_parser
 
 #: Units of length, in metres
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
+#: What the program says about wires that are not held
+_LACKS_SUPPORTS = "*BOUNDARY must prevent that"
 
 
 def new_command(arguments: list[str]) -> int:
@@ -98,7 +100,13 @@ def convert_command(arguments: list[str]) -> int:
     for what, sets in (("element sets", model.element_sets | model.groups), ("node sets", model.node_sets)):
         if sets:
             print(f"{what}: {', '.join(sets)}")
-    return 0
+    print("supports, contacts and loads are missing: the deck has outlines of them as comments")
+    refused = _refusal(Path(options.deck))
+    errors = [line for line in refused.splitlines() if line.startswith("error: ")]
+    if all(_LACKS_SUPPORTS in line for line in errors):
+        return 0
+    print(f"{options.deck} CANNOT RUN AS IT IS:\n{textwrap.indent(refused, '  ')}", file=sys.stderr)
+    return 1
 
 
 def _young(options: argparse.Namespace) -> float:

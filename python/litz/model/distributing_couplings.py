@@ -12,8 +12,8 @@ from .mesh_of_cards import MeshOfCards
 _SUPPORTS = {"PINNED": {1, 2, 3}, "ENCASTRE": {1, 2, 3, 4, 5, 6}}
 #: Part of the size of a model by which a reference node may be beside the middle
 _IN_THE_MIDDLE = 1e-6
-#: Terms on a line of `*EQUATION`
-_ON_A_LINE = 4
+#: Values on a line of `*EQUATION`: four terms
+_ON_A_LINE = 12
 
 
 def distributing_couplings_as_equations(cards: list[Card]) -> Iterator[tuple[str, bool]]:
@@ -35,7 +35,9 @@ def distributing_couplings_as_equations(cards: list[Card]) -> Iterator[tuple[str
         what = f"*COUPLING of {coupling.get('REF NODE')} and {coupling.get('SURFACE')}"
         nodes = [] if surface is None else [node for row in surface.data for node in mesh.nodes(row[0])]
         reference = mesh.nodes(coupling.get("REF NODE"))
-        reason = _reason_of_spread(coupling, distributing, surface, nodes) or _reason_of_motion(mesh, moved, reference, nodes)
+        reason = _reason_of_spread(coupling, distributing, surface, nodes) or _reason_of_motion(
+            mesh, moved, reference, nodes
+        )
         axes = {node for card in cards if card.is_a("TRANSFORM") for node in mesh.nodes(card.get("NSET"))}
         if axes & {*nodes, *reference}:
             reason = reason or "nodes with axes of their own (*TRANSFORM)"
@@ -47,9 +49,10 @@ def distributing_couplings_as_equations(cards: list[Card]) -> Iterator[tuple[str
         order = [first, *(node for node in nodes if node != first)]
         rows: list[list[Value]] = []
         for dof in (1, 2, 3):
-            terms = [[node, dof, 1.0] for node in order] + [[reference[0], dof, -float(len(order))]]
-            rows.append([len(terms)])
-            rows += [sum(terms[i : i + _ON_A_LINE], []) for i in range(0, len(terms), _ON_A_LINE)]
+            terms: list[Value] = [value for node in order for value in (node, dof, 1)]
+            terms += [reference[0], dof, -len(order)]
+            rows.append([len(order) + 1])
+            rows += [terms[i : i + _ON_A_LINE] for i in range(0, len(terms), _ON_A_LINE)]
         new = Card.make("EQUATION", {}, rows)
         new.comments, new.line = coupling.comments, coupling.line
         cards[place - 1 : place + 1] = [new]
@@ -90,7 +93,7 @@ def _moved_by_conditions(mesh: MeshOfCards, cards: list[Card]) -> dict[int, set[
     for card in cards:
         is_load = card.is_a("CLOAD")
         for row in card.data if is_load or card.is_a("BOUNDARY") else ():
-            degrees = {row[1]} - {1, 2, 3} if is_load else _held(row)
+            degrees = {int(str(row[1]))} - {1, 2, 3} if is_load else _held(row)
             for node in mesh.nodes(row[0]):
                 found.setdefault(node, set()).update(degrees)
     return found

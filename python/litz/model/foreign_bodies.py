@@ -45,7 +45,9 @@ def _move_rotations(cards: list[Card], mesh: MeshOfCards, node: int, body: Card)
         if row and node in mesh.nodes(row[0]) and mesh.nodes(row[0]) != [node]
     ]
     rows = [card.data[i] for card, i in found]
-    last_of = [row[2] if card.is_a("BOUNDARY") and len(row) > 2 else None for (card, _), row in zip(found, rows, strict=True)]
+    last_of = [
+        row[2] if card.is_a("BOUNDARY") and len(row) > 2 else None for (card, _), row in zip(found, rows, strict=True)
+    ]
     degrees = [*(row[1] for row in rows), *(last for last in last_of if last is not None)]
     if in_sets or any(one not in _ROTATIONS for one in degrees):
         return False

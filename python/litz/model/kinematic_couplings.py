@@ -76,7 +76,9 @@ def _couplings_of_nodes(cards: list[Card]) -> Iterator[str]:
         kinds = {_kind([row[1:]] if len(row) > 1 else [], "ORIENTATION" in card) for row in card.data if row}
         if len(kinds) != 1 or not (parameter := kinds.pop()):
             continue
-        name = free_name(f"{parameter[:3]}_{card['REF NODE']}", {str(one["NSET"]).upper() for one in cards if "NSET" in one})
+        name = free_name(
+            f"{parameter[:3]}_{card['REF NODE']}", {str(one["NSET"]).upper() for one in cards if "NSET" in one}
+        )
         nodes = Card.make("NSET", {"NSET": name}, [[row[0]] for row in card.data if row])
         nodes.comments = card.comments
         cards[place : place + 1] = [nodes, Card.make("RIGID BODY", {"REF NODE": card["REF NODE"], parameter: name})]

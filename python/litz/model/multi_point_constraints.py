@@ -64,7 +64,9 @@ def constraints_as_rigid_bodies(cards: list[Card], dialect: str | None, path: Pa
     if not joints:
         return
     is_apart = [joint.kind != "BEAM" and not _in_one_place(mesh, joint) for joint in joints]
-    apart, together = ([joint for joint, one in zip(joints, is_apart, strict=True) if one is way] for way in (True, False))
+    apart, together = (
+        [joint for joint, one in zip(joints, is_apart, strict=True) if one is way] for way in (True, False)
+    )
     bodies, refused = _bodies(together)
     left = _unlike(joint.row for joint in refused)
     for row in left:
@@ -154,7 +156,9 @@ def _bodies(joints: list[_Joint]) -> tuple[list[_Body], list[_Joint]]:
 def _body_cards(mesh: MeshOfCards, cards: list[Card], body: _Body, joints: list[_Joint]) -> Iterator[Card]:
     """A rigid body with its node sets: those of the deck where they have these nodes."""
     taken = {str(card["NSET"]).upper() for card in cards if "NSET" in card}
-    as_sets = (one.row[2] for one in joints if one.second == body.reference and mesh.nodes(one.row[2]) == [body.reference])
+    as_sets = (
+        one.row[2] for one in joints if one.second == body.reference and mesh.nodes(one.row[2]) == [body.reference]
+    )
     parameters: dict[str, Value] = {"REF NODE": next(as_sets, body.reference)}
     for parameter, nodes in (("TIE NSET", body.tied), ("PIN NSET", body.pinned)):
         if not nodes:
