@@ -3,17 +3,15 @@
 import argparse
 import sys
 import textwrap
-import warnings
 from pathlib import Path
 
 from ..build.starters import new, starter_list
-from ..errors import FileError, LitzError
+from ..errors import FileError
 from ..model import COPPER, Material, Model
 from ..model.abaqus_mesh import DIALECTS
-from ..model.foreign_deck import convert_deck, has_steps
+from ..model.foreign_deck import convert_deck, has_steps, refusal
 from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
-from ..runs import check
 from .parsers import command_parser
 
 #: Units of length, in metres
@@ -101,7 +99,7 @@ def convert_command(arguments: list[str]) -> int:
         if sets:
             print(f"{what}: {', '.join(sets)}")
     print("supports, contacts and loads are missing: the deck has outlines of them as comments")
-    refused = _refusal(Path(options.deck))
+    refused = refusal(Path(options.deck))
     errors = [line for line in refused.splitlines() if line.startswith("error: ")]
     if all(_LACKS_SUPPORTS in line for line in errors):
         return 0
@@ -126,7 +124,7 @@ def _convert_whole_deck(options: argparse.Namespace) -> int:
     units = {} if options.length is None else {"LENGTH": options.length}
     converted = convert_deck(Path(options.mesh), options.dialect, units)
     Path(options.deck).write_text(converted.text, encoding="utf-8", errors="surrogateescape")
-    refused = _refusal(Path(options.deck))
+    refused = refusal(Path(options.deck))
     print(f"wrote {options.deck}" + ("" if refused else f"; look at it: litz check {options.deck}"))
     for title, reasons in (
         ("comments, without which the results are the same", converted.ignored),
@@ -139,17 +137,6 @@ def _convert_whole_deck(options: argparse.Namespace) -> int:
             print(textwrap.indent(reason, "  "), file=sys.stderr)
     # what is missing must not go unnoticed in scripts
     return 1 if converted.left_out or refused else 0
-
-
-def _refusal(deck: Path) -> str:
-    """What the program says about a deck that it does not take; empty: it takes it."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            check(deck)
-        except LitzError as error:
-            return str(error)
-    return ""
 
 
 def _write_with_outline(model: Model, path: Path) -> None:

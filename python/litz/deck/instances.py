@@ -239,10 +239,8 @@ class _Instances:
                     new = self._item_or_set(row[0], numbers, instance if prefix else "", prefix)
                     if new != row[0]:
                         card[i, 0] = new
-        elif card.is_a("EQUATION"):
-            self._renumber_terms(card, instance, prefix)
-        elif card.is_a("MPC"):
-            self._renumber_joints(card, instance, prefix)
+        elif card.is_a("EQUATION") or card.is_a("MPC"):
+            (self._renumber_terms if card.is_a("EQUATION") else self._renumber_joints)(card, instance, prefix)
         if card.is_a("SURFACE") and prefix:
             card["NAME"] = f"{prefix}{card['NAME']}"
         if "REF NODE" in card:

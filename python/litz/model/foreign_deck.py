@@ -1,6 +1,7 @@
 """Decks of Abaqus and CalculiX with steps as decks of litz: what litz has stays, the rest becomes comments with reasons."""
 
 import subprocess
+import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -9,6 +10,8 @@ from ..base.program import program_path
 from ..deck import Card, Deck
 from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import check_card, keywords, squeezed
+from ..errors import LitzError
+from ..runs import check
 from .abaqus_mesh import round_section
 from .beam_surfaces import surfaces_as_sets
 from .distributing_couplings import distributing_couplings_as_equations
@@ -121,6 +124,17 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     converted.text = "".join(chunk if chunk.endswith("\n") else chunk + "\n" for chunk in chunks)
     _comment_unused_definitions(converted)
     return converted
+
+
+def refusal(deck: Path) -> str:
+    """What the program says about a deck that it does not take; empty: it takes it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            check(deck)
+        except LitzError as error:
+            return str(error)
+    return ""
 
 
 def _comment_unused_definitions(converted: ConvertedDeck) -> None:

@@ -100,8 +100,8 @@ def _reason(kind: str, pairs: list[tuple[int, int]], dialect: str | None, path: 
         return _REASONS.get(kind, _REASONS[""])
     if kind == "BEAM" and dialect is None:
         raise ValueError(
-            f"{path}: BEAM of *MPC joins two nodes rigidly in Abaqus, but keeps their distance alone in CalculiX: which of them is"
-            " meant must be told by --dialect abaqus or --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
+            f"{path}: BEAM of *MPC joins two nodes rigidly in Abaqus, but keeps their distance alone in CalculiX: which of them"
+            " is meant must be told by --dialect abaqus or --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
         )
     if kind == "BEAM" and dialect == "ccx":
         return _REASONS["LINK"]
