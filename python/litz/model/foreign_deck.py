@@ -19,6 +19,7 @@ from .face_pressures import pressures_as_forces
 from .foreign_bodies import foreign_bodies
 from .foreign_parameters import remove_foreign_parameters
 from .general_contact import general_contact
+from .history_requests import history_requests_as_prints
 from .kinematic_couplings import couplings_as_rigid_bodies
 from .materials import General, Material
 from .multi_point_constraints import constraints_as_rigid_bodies
@@ -86,7 +87,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
         converted.tell(change)
     surfaces = list(surfaces_as_sets(cards))
     converted.tell(remove_foreign_parameters(cards))
-    converted.ignored += smooth_steps_as_tables(cards)
+    converted.ignored += [*smooth_steps_as_tables(cards), *history_requests_as_prints(cards)]
     converted.left_out += pressures_as_forces(cards, dialect, path)
     chunks = [_converted(card, dialect, materials, path) for card in cards]
     commented = {place for place, _, _ in surfaces}
