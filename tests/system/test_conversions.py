@@ -301,3 +301,22 @@ class TestForeignRigidBodies:
 @pytest.mark.parametrize("text", [CAE, CCX])
 def test_decks_in_which_nothing_is_missing(convert, text):
     assert convert("ccx" if text is CCX else None, text).returncode == 0
+
+
+HISTORY = "*Output, history\n*Node Output, nset=Set-2\nCF1, RF1, U1\n"
+
+
+def test_requests_of_history_are_print_cards(convert, litz, tmp_path):
+    """A name without a number has rotations, too; what litz lacks, or is of no set, and fields are left out."""
+    asked = HISTORY.replace("CF1, RF1, U1", "CF1, U, A1") + "*Element Output, elset=_PickedSet4\nSF1, SM1, MISES\n"
+    done = convert(*flat(HISTORY, f"*Node Output, nset=Set-2\nRF\n{asked}*Node Output\nRF\n"))
+    assert done.returncode == 0, done.stderr
+    for told in ("*NODE OUTPUT of Set-2 is *NODE PRINT with CF, U, UR", "*ELEMENT OUTPUT of _PickedSet4 is *EL PRINT with SF"):
+        assert told in done.stderr
+    text = (tmp_path / "new.inp").read_text()
+    assert text.count("\n*NODE PRINT") == text.count("\n*EL PRINT") == 1
+    assert litz("run", "new.inp", "-o", "out", cwd=tmp_path).returncode == 0
+    history = Results(tmp_path / "out").history
+    sag = 30**3 / (3 * 210000 * np.pi / 4 * 2**4)
+    assert history["U3 node 4"][-1] == pytest.approx(sag, rel=1e-6)
+    assert history["CF3 node 4"][-1] == 1

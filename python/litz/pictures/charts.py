@@ -132,7 +132,9 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     axes.margins(0.08)
     for axis in (axes.xaxis, axes.yaxis):
         number_log_axis(axis)
-    _power_lines(axes, force[loading], ohms[loading])
+    # where nothing makes room for both, the scale of colours is beside the data: these fall from one corner to the other
+    inside = axes.get_subplotspec() is None and len(ids) > MAX_LINES
+    _power_lines(axes, force[loading], ohms[loading], inside=inside)
     axes.set_xlabel(label("contact force", force_unit))
     axes.set_ylabel(label("resistance", unit))
 
@@ -173,8 +175,8 @@ def number_log_axis(axis: Axis) -> None:
         axis.set_major_formatter(FuncFormatter(lambda value, _: power_of_ten(value)))
 
 
-def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
-    """R ~ F^(-1/3), elastic spots, and F^(-1/2), plastic ones, through the middle of the data."""
+def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray, *, inside: bool) -> None:
+    """R ~ F^(-1/3), elastic spots, and F^(-1/2), plastic ones, through the middle of the data; the legend inside or beside."""
     if force.max() < 1.5 * force.min():
         return
     middle, there = np.exp(np.log(force).mean()), np.exp(np.log(ohms).mean())
@@ -191,7 +193,10 @@ def _power_lines(axes: Axes, force: np.ndarray, ohms: np.ndarray) -> None:
             label=f"slope {text}",
         )
     axes.set_ylim(limits)
-    legend_beside(axes)
+    if inside:
+        axes.legend(loc="upper right")
+    else:
+        legend_beside(axes)
 
 
 def gradient() -> mpl.colors.Colormap:
