@@ -15,6 +15,7 @@ from litz.base.quantities import engineering, label
 from litz.base.table import Table
 from litz.pictures import charts, drawing_process, plots, residual_charts
 from litz.pictures.contact_marks import Spots
+from litz.pictures.margins import arrange
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.tube_mesh import tubes
 
@@ -275,6 +276,23 @@ class TestCharts:
         slope = next(line for line in axes.lines if "Hertz" in line.get_label())
         there = np.interp(np.log([1, 4, 4, 9]).mean(), np.log(slope.get_xdata()), np.log(slope.get_ydata()))
         np.testing.assert_allclose(there, np.log([6, 3, 3, 2]).mean())
+
+    @pytest.mark.parametrize("placed", [True, False])
+    def test_a_legend_and_a_scale_of_colours_do_not_hide_each_other(self, results, placed):
+        """Of many contacts, in axes of a grid, which are arranged later, and in axes at a place, as in an overview."""
+        n = charts.MAX_LINES + 5
+        columns = {"id": np.arange(n), "force": np.logspace(0, 2, n), "resistance": np.logspace(1, -1, n)}
+        ledger = Table(
+            columns | {"angle": np.linspace(0.5, 1.5, n)}, {"id": "", "force": "N", "resistance": "ohm", "angle": "rad"}
+        )
+        figure = Figure(figsize=(9, 4), dpi=100)
+        axes = figure.add_axes((0.1, 0.2, 0.5, 0.7)) if placed else figure.add_subplot()
+        charts.resistance_over_force(axes, SimpleNamespace(contacts=ledger, unit_labels=results.unit_labels), -1)
+        if not placed:
+            arrange(figure)
+        bar = next(one for one in figure.axes if one is not axes)
+        legend = axes.get_legend().get_window_extent()
+        assert not legend.overlaps(bar.get_window_extent())
 
     def test_the_number_of_contacts_is_zero_where_there_are_none(self, results):
         axes = Figure().add_subplot()
