@@ -311,7 +311,10 @@ def test_requests_of_history_are_print_cards(convert, litz, tmp_path):
     asked = HISTORY.replace("CF1, RF1, U1", "CF1, U, A1") + "*Element Output, elset=_PickedSet4\nSF1, SM1, MISES\n"
     done = convert(*flat(HISTORY, f"*Node Output, nset=Set-2\nRF\n{asked}*Node Output\nRF\n"))
     assert done.returncode == 0, done.stderr
-    for told in ("*NODE OUTPUT of Set-2 is *NODE PRINT with CF, U, UR", "*ELEMENT OUTPUT of _PickedSet4 is *EL PRINT with SF"):
+    for told in (
+        "*NODE OUTPUT of Set-2 is *NODE PRINT with CF, U, UR",
+        "*ELEMENT OUTPUT of _PickedSet4 is *EL PRINT with SF",
+    ):
         assert told in done.stderr
     text = (tmp_path / "new.inp").read_text()
     assert text.count("\n*NODE PRINT") == text.count("\n*EL PRINT") == 1

@@ -285,10 +285,10 @@ class TestCharts:
         ledger = Table(
             columns | {"angle": np.linspace(0.5, 1.5, n)}, {"id": "", "force": "N", "resistance": "ohm", "angle": "rad"}
         )
-        figure = Figure(figsize=(9, 4), dpi=100)
-        axes = figure.add_axes((0.1, 0.2, 0.5, 0.7)) if placed else figure.add_subplot()
-        charts.resistance_over_force(axes, SimpleNamespace(contacts=ledger, unit_labels=results.unit_labels), -1)
-        if not placed:
+        with mpl.rc_context(plots.STYLE):
+            figure = Figure(figsize=(9, 4), dpi=100)
+            axes = figure.add_axes((0.1, 0.2, 0.5, 0.7)) if placed else figure.add_subplot()
+            charts.resistance_over_force(axes, SimpleNamespace(contacts=ledger, unit_labels=results.unit_labels), -1)
             arrange(figure)
         bar = next(one for one in figure.axes if one is not axes)
         legend = axes.get_legend().get_window_extent()

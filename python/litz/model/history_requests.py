@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from ..deck import Card
 
 #: Quantities of litz by what they are called in Abaqus, where a name without a number has displacements and rotations
-_OF_NODES = {
+_OF_NODES: dict[str, tuple[str, ...]] = {
     "U": ("U", "UR"),
     "UT": ("U",),
     "UR": ("UR",),
@@ -15,8 +15,9 @@ _OF_NODES = {
     "CF": ("CF", "CM"),
     "CM": ("CM",),
 }
-_OF_ELEMENTS = {"SF": ("SF",), "SM": ("SF",), "SE": ("SE",), "SK": ("SK",)}
-_REQUESTS = {
+_OF_ELEMENTS: dict[str, tuple[str, ...]] = {"SF": ("SF",), "SM": ("SF",), "SE": ("SE",), "SK": ("SK",)}
+#: Card of litz, its parameter, and quantities, by the card of Abaqus
+_REQUESTS: dict[str, tuple[str, str, dict[str, tuple[str, ...]]]] = {
     "NODE OUTPUT": ("NODE PRINT", "NSET", _OF_NODES),
     "ELEMENT OUTPUT": ("EL PRINT", "ELSET", _OF_ELEMENTS),
 }
