@@ -12,6 +12,7 @@ module litz_contact_points
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
+   use litz_lap_of_place, only: lap_of_place_t
    use litz_line_cell, only: line_cell_t
    use litz_line_law, only: line_wires_t
    use litz_line_places, only: line_places_t
@@ -106,10 +107,10 @@ module litz_contact_points
       type(joint_parts_t) :: present_parts
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
-      !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there [-] and how that does [1/m], and what it was when the shares were found, which friction
-      !> sees [m]
-      real(dp) :: dweight_dlap = 0, d2weight_dlap2 = 0, settled_weight = 0
+      !> Of a point of a line contact: what it has of the lap, and the length that it stood for when the shares were
+      !> found, which friction sees [m]
+      type(lap_of_place_t) :: lap
+      real(dp) :: settled_weight = 0
       !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
       !> not negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
@@ -125,8 +126,8 @@ module litz_contact_points
       !> Angle that the law sees [rad], and its sine, which the curvature of the wires can make greater than 1: of the
       !> axes, or of straight wires whose lens of overlap is as long (litz_line_kinematics)
       real(dp) :: law_angle = 0, law_sine = 0
-      !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
-      !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
+      !> Sine of straight wires whose lens is as long as that of this crossing, how much it counts beside the angle of the
+      !> axes, and how much the section of the wires counts, both between 0 and 1
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
       !> q of both wires as this sine sees them, which stay within an iteration while the wires turn (2) [-]; 0 next to
       !> ends and joints, where the sine stays
@@ -142,8 +143,7 @@ module litz_contact_points
       !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
       !> (litz_lens_growth) [N m]
       real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0
-      !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
-      !> long one
+      !> How far the wires overlap on beyond its lens, between 0 and 1: so far that is a ripple of a long overlap
       real(dp) :: long_share = 0
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
@@ -178,8 +178,7 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
-      !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a point of a line per
-      !> length [N/m]
+      !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a place [N/m]
       real(dp) :: felt_force = 0
       !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
       !> lens the same, and how much deeper the lens is than the place [m]
@@ -455,8 +454,7 @@ contains
       point%cut = earlier%cut
       point%cut_stiffness = earlier%cut_stiffness
       point%place = earlier%place
-      point%dweight_dlap = earlier%dweight_dlap
-      point%d2weight_dlap2 = earlier%d2weight_dlap2
+      point%lap = earlier%lap
       point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares

@@ -10,6 +10,8 @@ module litz_line_places
    private
    public :: line_places_t, prepare_line_places, place_at, spacing_of_places
 
+   !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
+   real(dp), parameter, public :: resolution = 0.65_dp
    !> Longest part of an element, in radii; the fewest and the most parts of an element
    real(dp), parameter :: longest_part = 0.4_dp
    !> A multiple of that stays one whatever round-off a rotation of the model leaves

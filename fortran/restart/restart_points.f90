@@ -158,8 +158,15 @@ contains
       call table%field('cut', point%cut)
       call table%field('cut_stiffness', point%cut_stiffness)
       call table%field('place_bar', point%place(1))
-      call table%field('dweight_dlap', point%dweight_dlap)
-      call table%field('d2weight_dlap2', point%d2weight_dlap2)
+      call table%field('dweight_dlap', point%lap%dweight)
+      call table%field('d2weight_dlap2', point%lap%d2weight)
+      call table%field('strip_bound', point%lap%strip_bound)
+      call table%field('dstrip_bound_dlap', point%lap%dstrip_bound)
+      call table%field('dsection_share_dlap', point%lap%dsection_share)
+      call table%field('round_end_share', point%lap%round_end%share)
+      call table%field('round_end_distance', point%lap%round_end%distance)
+      call table%field('round_end_beyond', point%lap%round_end%beyond)
+      call table%field('round_end_dbeyond', point%lap%round_end%dbeyond)
       call table%field('settled_weight', point%settled_weight)
    end subroutine list_lens
 
