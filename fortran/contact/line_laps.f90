@@ -263,8 +263,9 @@ contains
 
       point%lap%round_end = round_end_t()
       own = distances_to_ends(wires, elements, point%element, point%arc)
-      if (point%foot_at_end .or. .not. minval(own) < tie*elements%length(point%element)) return
       inner = maxloc(own, 1)
+      if (point%foot_at_end .or. .not. own(3 - inner) < tie*elements%length(point%element)) return
+      if (.not. wires%is_free(3 - inner, wires%wire(point%element))) return
       other = other_way(wires, elements, point)
       associate (pair => [point%element_bar, point%element])
          call share_of_point(min(own(inner), other(inner)), resolution*spacing_of_places(places, pair, &
@@ -298,8 +299,12 @@ contains
       integer, intent(out) :: side
       real(dp) :: own(2), other(2)
 
-      own = distances_to_ends(wires, elements, point%element, point%arc)
-      other = other_way(wires, elements, point)
+      ! beyond a joint wires go on
+      own = merge(distances_to_ends(wires, elements, point%element, point%arc), huge(lap), &
+         wires%is_free(:, wires%wire(point%element)))
+      other = merge(distances_to_ends(wires, elements, point%element_bar, point%arc_bar), huge(lap), &
+         wires%is_free(:, wires%wire(point%element_bar)))
+      if (.not. runs_along(wires, point)) other = other([2, 1])
       lap = sum(min(huge(lap)/2, own, other))
       side = 0
       if (count(other < own) /= 1) return

@@ -31,8 +31,9 @@ module litz_round_end
       real(dp) :: energy = 0, force = 0, stiffness = 0, along = 0, along_by_overlap = 0, along_stiffness = 0
       !> How the stiffness changes with the overlap [N/m^2]
       real(dp) :: dstiffness = 0
-      !> How much of the share is left where the other wire ends [-]
-      real(dp) :: left = 0
+      !> The part of its Hertz contact that it has where the other wire ends [-], and how that changes with the overlap
+      !> [1/m]
+      real(dp) :: part = 0, dpart = 0
    end type end_force_t
 
 contains
@@ -53,7 +54,8 @@ contains
          s2 = merge(6 - 12*u, 0.0_dp, u < 1)
          s3 = merge(-12.0_dp, 0.0_dp, u < 1)
          factor = 0.4_dp*round%share*round%hertz*sqrt(overlap)
-         at%left = s
+         at%part = round%share*s
+         at%dpart = -round%share*s1*u/(2*overlap)
          at%energy = factor*overlap**2*s
          at%force = factor*overlap*(2.5_dp*s - u*s1/2)
          at%stiffness = factor*(3.75_dp*s - 1.75_dp*u*s1 + u**2*s2/4)
