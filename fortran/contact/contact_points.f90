@@ -126,8 +126,8 @@ module litz_contact_points
       !> Angle that the law sees [rad], and its sine, which the curvature of the wires can make greater than 1: of the
       !> axes, or of straight wires whose lens of overlap is as long (litz_line_kinematics)
       real(dp) :: law_angle = 0, law_sine = 0
-      !> Sine of straight wires whose lens is as long as that of this crossing, how much it counts beside the angle of the
-      !> axes, and how much the section of the wires counts, both between 0 and 1
+      !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
+      !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
       !> q of both wires as this sine sees them, which stay within an iteration while the wires turn (2) [-]; 0 next to
       !> ends and joints, where the sine stays
@@ -143,7 +143,8 @@ module litz_contact_points
       !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
       !> (litz_lens_growth) [N m]
       real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0
-      !> How far the wires overlap on beyond its lens, between 0 and 1: so far that is a ripple of a long overlap
+      !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
+      !> long one
       real(dp) :: long_share = 0
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
@@ -178,7 +179,8 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
-      !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a place [N/m]
+      !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a point of a line per
+      !> length [N/m]
       real(dp) :: felt_force = 0
       !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
       !> lens the same, and how much deeper the lens is than the place [m]

@@ -220,9 +220,9 @@ contains
       lap = maxval(min(distances_to_ends(wires, elements, point%element, point%arc), other_way(wires, elements, point)))
    end function lap_at_crossing
 
-   !> Between ends the sections bound the field of a place only as far as the lap is long, as they do in a lens; else the
-   !> strip itself does, pressed evenly: its approach is that in the middle of the lap, `2 f/(pi E*) (ln(4 h/b) + 1/2)`
-   !> of the half length h, and a little more for the round ends beyond it.
+   !> Between ends the sections bound the field of a place only as far as the lap is long, as they do in a lens; else
+   !> the strip itself does, pressed evenly: its approach is that in the middle of the lap, `2 f/(pi E*) (ln(4 h/b) +
+   !> 1/2)` of the half length h, and a little more for the round ends beyond it.
    pure subroutine bound_by_lap(wires, elements, radius, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -249,8 +249,8 @@ contains
       if (.not. point%in_lens) point%spot_section = point%section_share
    end subroutine bound_by_lap
 
-   !> The round end of the wire of a place that is its last one: half of its Hertz contact, as far as the places along the
-   !> line carry what is before it, and the contact at the end does not carry a short lap.
+   !> The round end of the wire of a place that is its last one: half of its Hertz contact, as far as the places along
+   !> the line carry what is before it, and the contact at the end does not carry a short lap.
    pure subroutine find_round_end(wires, elements, places, line_share, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements

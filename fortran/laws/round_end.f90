@@ -1,5 +1,5 @@
-!> The round end of a wire beside another one, along a line that ends there: half of its Hertz contact, which lies beyond
-!> the end.
+!> The round end of a wire beside another one, along a line that ends there: half of its Hertz contact, which lies
+!> beyond the end.
 !>
 !> The places along the line integrate the law per length up to the end. A hemisphere pressed into the other wire has an
 !> elliptic spot about the end, of which one half is that of the line and the other one lies beyond. It fades where the

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from verification.references.end_in_half_space import force_of_lap, force_of_tip
 
 from line_wires import COPPER, two_wires
 from test_contact_at_ends import HELD, from_tip, moved, solved
-from verification.references.end_in_half_space import force_of_lap, force_of_tip
 
 RADIUS = COPPER.radius
 MODULUS = COPPER.young / (1 - COPPER.poisson**2) / 2
