@@ -110,7 +110,7 @@ contains
          if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
          if (point%line_place > 0) then
-            call find_round_end(law%normal, pair, point)
+            call find_law_of_end(law%normal, pair, point)
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
             if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) then
@@ -434,7 +434,7 @@ contains
    end subroutine press_yielding_lens
 
    !> The Hertz contact of the round end of a wire; elastic metal alone has it.
-   pure subroutine find_round_end(law, pair, point)
+   pure subroutine find_law_of_end(law, pair, point)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       !> At a place
@@ -447,7 +447,7 @@ contains
          ellipse = ellipse_of_end(pair, point%kinematics%angle)
          if (ellipse%approach > 0) round%hertz = ellipse%approach**(-1.5_dp)                 ! delta = cd F^(2/3)
       end associate
-   end subroutine find_round_end
+   end subroutine find_law_of_end
 
    !> A point of a line contact: the law per length times the length that it stands for, linearised about the gap that
    !> was predicted: what the motion has done to the gap besides is a matter of the next step, not of the force.
