@@ -14,8 +14,8 @@ module litz_lap_of_place
       !> How the length for which the place stands changes with the distance of its foot from the end of the other wire
       !> [-], and how that does [1/m]
       real(dp) :: dweight = 0, d2weight = 0
-      !> As far as the sections do not bound the far field, `exp(-2 Lambda)/b^2` of a strip as long as the lap [1/m^2];
-      !> how it changes with that distance [1/m^3], and how the share of the sections does [1/m]
+      !> `exp(-2 Lambda)/b^2` of a strip as long as the lap, as far as that is short [1/m^2]; how it changes with that
+      !> distance [1/m^3], and how the share of the sections does [1/m]
       real(dp) :: strip_bound = 0, dstrip_bound = 0, dsection_share = 0
       !> At the end of the wire of the place: that beside the line
       type(round_end_t) :: round_end
@@ -50,11 +50,11 @@ contains
       end associate
       if (.not. any(abs([lap%dstrip_bound, lap%dsection_share]) > 0)) return
       if (.not. line%section > 0 .or. law%too_wide) return
-      ! of ln(section), which is a share of that of the wires and the rest of that of the strip
-      slope = (1 - section_share)*lap%dstrip_bound
+      ! of ln(section), which is a share of that of the wires and that of the strip
+      slope = lap%dstrip_bound
       if (section_share > 0) slope = slope + lap%dsection_share*(line%section - lap%strip_bound)/section_share
       slope = slope/line%section
-      curvature = -2*lap%dsection_share*lap%dstrip_bound/line%section - slope**2
+      curvature = -slope**2
       change = change_by_section(line, law%force)
       along%force = along%force + weight*slope*change%energy
       along%by_overlap = along%by_overlap + weight*slope*change%force

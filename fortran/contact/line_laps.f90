@@ -9,7 +9,7 @@ module litz_line_laps
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_line, share_of_point, slope_of_line_share, smooth_step
    use litz_line_kinematics, only: line_profile_t
-   use litz_line_places, only: line_places_t, resolution, spacing_of_places
+   use litz_line_places, only: line_places_t, resolved_by_places
    use litz_round_end, only: round_end_t
    use litz_wires, only: wires_t
    implicit none
@@ -230,20 +230,23 @@ contains
       real(dp), intent(in) :: radius
       !> In: with the end that it is next to; out: with the end that bounds its lap alone
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: lap, length, share, to_ends(2)
+      real(dp) :: lap, length, share, of_strip, to_ends(2)
       integer :: side
 
       call find_lap_round(wires, elements, point, lap, side)
       length = exp(0.5_dp)*lap/2 + beyond_lap*radius
-      point%lap%strip_bound = (4*length)**(-2)
+      of_strip = (4*length)**(-2)
       share = point%history%dent%share_of_section(share_of_line(lap/2/radius))
+      point%lap%strip_bound = (1 - share)*of_strip
       if (side > 0 .and. (side == point%lens%side(1) .or. .not. point%lens%near(1))) then
          to_ends = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
          point%lens%near(1) = .true.
          point%lens%side(1) = side
          point%place(1) = to_ends(side)
-         point%lap%dstrip_bound = -exp(0.5_dp)*point%lap%strip_bound/length
-         if (share < point%section_share) point%lap%dsection_share = slope_of_line_share(lap/2/radius)/(2*radius)
+         associate (dshare => slope_of_line_share(lap/2/radius)/(2*radius))
+            point%lap%dstrip_bound = -exp(0.5_dp)*point%lap%strip_bound/length - dshare*of_strip
+            if (share < point%section_share) point%lap%dsection_share = dshare
+         end associate
       end if
       point%section_share = min(point%section_share, share)
       if (.not. point%in_lens) point%spot_section = point%section_share
@@ -268,8 +271,8 @@ contains
       if (.not. wires%is_free(3 - inner, wires%wire(point%element))) return
       other = other_way(wires, elements, point)
       associate (pair => [point%element_bar, point%element])
-         call share_of_point(min(own(inner), other(inner)), resolution*spacing_of_places(places, pair, &
-            elements%length(pair)), short, slope)
+         call share_of_point(min(own(inner), other(inner)), resolved_by_places(places, pair, elements%length(pair), &
+            elements%radius(pair)), short, slope)
       end associate
       associate (round => point%lap%round_end, lens => point%lens)
          round%share = half_of_end*min(line_share, 1 - short)

@@ -21,7 +21,7 @@ module litz_line_shares
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing, bound_by_lap, find_round_end
-   use litz_line_places, only: line_places_t, resolution, spacing_of_places
+   use litz_line_places, only: line_places_t, resolved_by_places, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
@@ -417,8 +417,8 @@ contains
          pair = [crossing%element_bar, crossing%element]
          half_length = half_length_of(crossing, deepest*radius)
       end if
-      call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
-         slope)
+      call share_of_point(half_length, resolved_by_places(places, pair, elements%length(pair), elements%radius(pair)), &
+         of_crossing, slope)
       point%line_share = 1 - short*of_crossing
       point%energy_ratio = 1 + short*(crossing%energy_ratio - 1)
       point%section_share = point%history%dent%share_of_section(1 - short*(1 - share_of_line(half_length/radius)))

@@ -6,13 +6,13 @@ module litz_shares_at_ends
    use litz_kinds, only: dp
    use litz_bent_contacts, only: feels_bends, sine_of_bends
    use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, &
-      least_overlap, longest, small_sine, moderate_sine
+      least_overlap, longest, longest_overlap, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_ends, share_of_line, smooth_step
    use litz_line_laps, only: lap_from_end
-   use litz_line_places, only: line_places_t, place_at, resolution, spacing_of_places
+   use litz_line_places, only: line_places_t, place_at, resolved_by_places
    use litz_normal_law, only: normal_law_t
    use litz_rotations, only: cross
    use litz_wires, only: wires_t
@@ -50,7 +50,7 @@ contains
       real(dp) :: radius
 
       radius = minval(point%radius)
-      point%lens_sine = sine_at_end(point, longest*radius)
+      point%lens_sine = sine_at_end(point, longest_overlap(point))
       if (.not. any(point%held .and. .not. point%at_end)) then
          point%section_share = 0
          if (.not. law%line_penalty() > 0) point%section_share = share_of_line(half_length_of(point, deepest*radius) &
@@ -279,7 +279,8 @@ contains
       !> What places leave, and length of what the ends leave of the overlap [m]
       real(dp), intent(in) :: of_crossing, length
 
-      share = share_of_ends(1 - of_crossing, length, resolution*spacing_of_places(places, pair, elements%length(pair)))
+      share = share_of_ends(1 - of_crossing, length, resolved_by_places(places, pair, elements%length(pair), &
+         elements%radius(pair)))
    end function share_beside_places
 
    !> What a contact carries: cylinders what places along the line leave, round ends and joints their share.

@@ -22,13 +22,11 @@ contains
    pure type(line_wires_t) function line_of_point(pair, point) result(line)
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
-      real(dp) :: strip
 
       line = line_wires(pair, point%law_angle)
       ! what bounds the far field in place of the section
-      strip = (1 - point%section_share)*point%lap%strip_bound
-      line%section = point%section_share*line%section + strip
-      line%electric_section = point%section_share*line%electric_section + strip
+      line%section = point%section_share*line%section + point%lap%strip_bound
+      line%electric_section = point%section_share*line%electric_section + point%lap%strip_bound
    end function line_of_point
 
    !> The point with another angle of its law, and all else as it was.

@@ -140,6 +140,7 @@ contains
             call table%field('lens_bend'//trim(wire(i)), lens%bend(i))
             call table%field('lens_extent'//trim(wire(i)), lens%extent(i))
             call table%field('lens_receding'//trim(wire(i)), lens%receding(i))
+            call table%field('lens_own_bend'//trim(wire(i)), lens%own_bend(i))
             call table%field('legs_at_joint'//trim(wire(i)), lens%of_joint(1, i))
             call table%field('joint'//trim(wire(i)), lens%of_joint(2, i))
             call table%field('legs_mixed'//trim(wire(i)), lens%is_mixed(i))

@@ -65,7 +65,7 @@ contains
 
       line = parallel
       of_section = share + lap%dsection_share*way
-      line%section = of_section*parallel%section + (1 - of_section)*(lap%strip_bound + lap%dstrip_bound*way)
+      line%section = of_section*parallel%section + lap%strip_bound + lap%dstrip_bound*way
    end function line_at
 
    subroutine check(name, ratio, tolerance)
