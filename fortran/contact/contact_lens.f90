@@ -20,7 +20,7 @@ module litz_contact_lens
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
       angle_of_law, sine_of_lens, sine_of_overlap, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, &
-      least_bend, wedge_length, longest_overlap, deepest, least_overlap, longest, small_sine, moderate_sine
+      least_bend, wedge_length, deepest, least_overlap, longest, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
@@ -35,8 +35,6 @@ module litz_contact_lens
    real(dp), parameter :: deepest = 0.02_dp
    !> An overlap that ends or joints cut counts as no longer, in smaller radii: longer ones are the matter of places
    real(dp), parameter :: longest = 2
-   !> The same of a wire that leans on its end, in lengths of its wedge
-   real(dp), parameter :: longest_wedge = 2.5_dp
    !> Overlap at an end by which its length is told, at least, in distances of the axes
    real(dp), parameter :: least_overlap = 1.0e-5_dp
    !> Half lengths of a lens up to which it may come to be cut within an increment, of an overlap of at least this part
@@ -181,20 +179,6 @@ contains
       if (square > 0) length = 2*overlap/max(tilt + sqrt(square), tiny(square))
    end function wedge_length
 
-   !> Half length as which an overlap that ends cut counts at most [m].
-   pure real(dp) function longest_overlap(point) result(length)
-      type(contact_point_t), intent(in) :: point
-      real(dp) :: radius
-      integer :: i
-
-      radius = minval(point%radius)
-      length = longest*radius
-      if (count(point%held) /= 1 .or. .not. any(point%held .and. point%at_end)) return
-      i = findloc(point%held, .true., 1)
-      if (point%tilt(i) > 0) length = min(length, longest_wedge*wedge_length(point%tilt(i), point%bend(i), &
-         min(-point%gap, deepest*radius)))
-   end function longest_overlap
-
    !> How the ends and joints of the two wires cut the overlap. What has been found for a closed contact stays until the
    !> forces balance.
    pure subroutine divide_at_ends(wires, elements, point)
@@ -222,7 +206,7 @@ contains
          lens%cosine = dot_product(way(:, 1), way(:, 2))/max(norm2(way(:, 1))*norm2(way(:, 2)), tiny(d))
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*radius)
-         associate (least => d*least_bend(0.0_dp, overlap, longest_overlap(point)))
+         associate (least => d*least_bend(0.0_dp, overlap, longest*radius))
             lens%own_bend = max(least_own_bend, lens%bend/max(lens%bend, least))
             lens%bend = max(lens%bend, least)
          end associate

@@ -6,7 +6,7 @@ module litz_shares_at_ends
    use litz_kinds, only: dp
    use litz_bent_contacts, only: feels_bends, sine_of_bends
    use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, &
-      least_overlap, longest, longest_overlap, small_sine, moderate_sine
+      least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
@@ -50,7 +50,7 @@ contains
       real(dp) :: radius
 
       radius = minval(point%radius)
-      point%lens_sine = sine_at_end(point, longest_overlap(point))
+      point%lens_sine = sine_at_end(point, longest*radius)
       if (.not. any(point%held .and. .not. point%at_end)) then
          point%section_share = 0
          if (.not. law%line_penalty() > 0) point%section_share = share_of_line(half_length_of(point, deepest*radius) &

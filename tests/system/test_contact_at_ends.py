@@ -337,11 +337,11 @@ def test_a_cantilever_rests_on_a_wire_with_its_end(run):
     lower = np.linspace((0, -0.01, 0), (0, 0.01, 0), 10)
     upper = np.linspace((0.0, 0.0, 2 * COPPER.radius), (0.02, 0, 2 * COPPER.radius), 11)
     supports = "*BOUNDARY\n LOWER, ENCASTRE\n 1011, ENCASTRE\n LOWER, 9\n UPPER, 9\n"
-    load = 0.05
+    load = 0.01
     results = solved(run(two_wires(lower, upper, supports, step(f"*CLOAD\n 1001, 3, {-load}\n", static="0.25, 1."))))
     contacts = results.contacts_at(-1)
     stiffness = 3 * COPPER.young * math.pi * COPPER.radius**4 / 4 / 0.02**3
-    # both neglect that the cantilever turns its end about the wire
+    # both neglect that the cantilever turns its end about the wire, where the pressure is off its middle by part of the spot
     assert contacts["force"].sum() == pytest.approx(load + stiffness * contacts["gap"][0], rel=1e-4)
 
 

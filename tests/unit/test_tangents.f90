@@ -296,9 +296,9 @@ contains
             nl//'11, 0.02, 0.009, 0.016'//nl//'12, 0.014, 0.006, 0.0112'//nl//'13, 0.008, 0.003, 0.0065'//nl// &
             '14, 0.0009, 0.0004, 0.0016'//nl
       case ('before', 'behind')
-         deck = cantilever//nodes_across(merge(-4.0e-6_dp, 2.0e-5_dp, place == 'before'), 0.02_dp)
+         deck = cantilever//nodes_across(merge(3.0e-6_dp, 2.0e-5_dp, place == 'before'), 0.02_dp)
       case ('before both', 'behind one', 'behind both')
-         deck = cantilever//nodes_across(merge(-4.0e-6_dp, 2.0e-5_dp, place == 'before both'), &
+         deck = cantilever//nodes_across(merge(-2.1e-6_dp, 2.0e-5_dp, place == 'before both'), &
             merge(-3.0e-5_dp, 2.0e-5_dp, place == 'behind both'))
       case ('leg')
          deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
