@@ -10,6 +10,7 @@ module litz_contact_capture
    use litz_line_places, only: line_places_t
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of
+   use litz_place_forces, only: force_along_line
    use litz_state, only: state_t, contact_t
    implicit none
    private
@@ -73,7 +74,7 @@ contains
          associate (point => points(i))
             if (point%closed) then
                history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
-                  point%friction, point%new_spot)
+                  force_along_line(point)/point%weight, point%friction, point%new_spot)
                history%reverses = .false.
                if (allocated(point%friction_iteration)) history%reverses = point%friction_iteration%reverses
             else

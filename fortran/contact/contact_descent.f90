@@ -11,9 +11,8 @@ module litz_contact_descent
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t
    use litz_fields, only: motion_slots
-   use litz_line_law, only: line_force_t
    use litz_model, only: model_t
-   use litz_yielding_place, only: place_force
+   use litz_place_forces, only: place_law_t, law_of_place
    implicit none
    private
    public :: descent_fraction
@@ -69,16 +68,16 @@ contains
       pure real(dp) function slope(fraction)
          !> [-]
          real(dp), intent(in) :: fraction
-         type(line_force_t) :: law
+         type(place_law_t) :: law
          integer :: k
 
          slope = -(1 - fraction)*work
          do k = 1, size(points)
             associate (point => points(k))
                if (.not. point%weight > 0) cycle
-               law = place_force(point%yielding_place, point%line, -(gap(k) + fraction*dgap(k)), model%interactions( &
+               law = law_of_place(point, -(gap(k) + fraction*dgap(k)), model%interactions( &
                   model%contact_pairs(point%pair)%interaction)%normal%line_penalty())
-               slope = slope + (point%mixed_force - point%weight*law%force &
+               slope = slope + (point%mixed_force - law%force &
                   - fraction*point%stiffness*dgap(k))*dgap(k)
             end associate
          end do

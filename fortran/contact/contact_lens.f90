@@ -42,6 +42,8 @@ module litz_contact_lens
    real(dp), parameter :: felt = 2, least_felt = 1.0e-3_dp
    !> Nearer to an end than this part of its element is there
    real(dp), parameter :: at_end = 1.0e-9_dp
+   !> Part of the curvature along wires side by side that is their own, at least: what ends leave has no corner there
+   real(dp), parameter :: least_own_bend = 0.1_dp
 
 contains
 
@@ -204,7 +206,10 @@ contains
          lens%cosine = dot_product(way(:, 1), way(:, 2))/max(norm2(way(:, 1))*norm2(way(:, 2)), tiny(d))
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*radius)
-         lens%bend = max(lens%bend, d*least_bend(0.0_dp, overlap, longest*radius))
+         associate (least => d*least_bend(0.0_dp, overlap, longest*radius))
+            lens%own_bend = max(least_own_bend, lens%bend/max(lens%bend, least))
+            lens%bend = max(lens%bend, least)
+         end associate
          ! nothing is felt of an end that is farther away
          overlap = max(overlap, least_felt*radius)
          to_end = merge(to_end, 0.0_dp, lens%near .and. .not. point%at_end)

@@ -12,6 +12,7 @@ module litz_contact_points
    use litz_friction_iteration, only: friction_iteration_t
    use litz_friction_law, only: friction_law_t
    use litz_hertz, only: hertz_ellipse_t
+   use litz_lap_of_place, only: lap_of_place_t
    use litz_line_cell, only: line_cell_t
    use litz_line_law, only: line_wires_t
    use litz_line_places, only: line_places_t
@@ -106,10 +107,10 @@ module litz_contact_points
       type(joint_parts_t) :: present_parts
       !> At an end or a joint, or near a joint: the stretches of both wires there
       type(leg_t), allocatable :: legs(:)
-      !> Of a point of a line contact next to the end of the other wire: how the length that it stands for changes with
-      !> its place there [-] and how that does [1/m], and what it was when the shares were found, which friction
-      !> sees [m]
-      real(dp) :: dweight_dlap = 0, d2weight_dlap2 = 0, settled_weight = 0
+      !> Of a point of a line contact: what it has of the lap, and the length that it stood for when the shares were
+      !> found, which friction sees [m]
+      type(lap_of_place_t) :: lap
+      real(dp) :: settled_weight = 0
       !> Where it is at an end or a joint: slope of the distance along the leg from there along which it grows least,
       !> not negative, and mean curvature (2) [-, 1/m]
       real(dp) :: tilt(2) = 0, bend(2) = 0
@@ -455,8 +456,7 @@ contains
       point%cut = earlier%cut
       point%cut_stiffness = earlier%cut_stiffness
       point%place = earlier%place
-      point%dweight_dlap = earlier%dweight_dlap
-      point%d2weight_dlap2 = earlier%d2weight_dlap2
+      point%lap = earlier%lap
       point%settled_weight = earlier%settled_weight
       if (earlier%law_status == law_too_curved) point%law_status = law_too_curved
    end subroutine take_shares

@@ -8,6 +8,7 @@ module litz_contact_pressure
    use litz_law_input, only: wire_pair_t
    use litz_line_law, only: line_force_t, line_force
    use litz_normal_forces, only: is_lens
+   use litz_place_forces, only: force_along_line
    use litz_yielding_lens, only: pressure_of_lens
    use litz_yielding_place, only: pressure_of_place
    use litz_yielding_wires, only: lens_of_wires
@@ -32,7 +33,7 @@ contains
          return
       end if
       if (point%line_place > 0) then
-         pressure = of_strip(point, point%force/point%weight)
+         pressure = of_strip(point, force_along_line(point)/point%weight)
       else if (is_lens(law, point)) then
          deepest = line_force(point%line, -point%gap, law%line_penalty())
          pressure = of_strip(point, deepest%force)

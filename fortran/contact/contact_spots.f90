@@ -16,6 +16,7 @@ module litz_contact_spots
    use litz_normal_forces, only: apply_normal_law, is_lens, law_of_spot, line_of_point, share_of_ellipse, &
       weight_of_lens
    use litz_normal_law, only: force_of_gap_t
+   use litz_place_forces, only: force_along_line
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
@@ -135,8 +136,8 @@ contains
       type(line_wires_t) :: present
 
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
-      call force_of_spot(law%spot_memory, point%history, point%force/point%weight, point%new_spot, spot_force, &
-         circuit%follows)
+      call force_of_spot(law%spot_memory, point%history, force_along_line(point)/point%weight, point%new_spot, &
+         spot_force, circuit%follows)
       present = point%line
       if (law%spot_memory .and. point%spot_section > point%section_share) then
          earlier = as_it_was(law, pair, point)

@@ -15,6 +15,9 @@ module litz_crossings_of_wires
    !> are: where distance goes in waves, with the lenses of their curvature at the deepest places, pi/2 as waves close
    !> altogether. At pi they overlap over a third of their length, and the force of a lens is within 3 % of theirs
    real(dp), parameter :: begin_to_touch = pi, one_overlap = pi/2
+   !> The same of overlaps that begin at the ends of wires, of which one is bent over the other: their lengths are those
+   !> up to where the wires part, so that what lies between them closes at 1
+   real(dp), parameter :: ends_begin_to_touch = 1.25_dp, one_lap = 1
    !> Nearer than this they are two deepest places of one lens
    real(dp), parameter :: one_lens = 0.2_dp
    !> Part of the overlap of a crossing that makes it one with another one in full: of a third of its force
@@ -247,7 +250,7 @@ contains
       !> aW [m]; 0: no lens (n_crossings)
       real(dp), intent(in) :: half_length(:)
       type(contact_point_t), intent(inout) :: crossings(:)
-      real(dp) :: together, apart, touch, longest
+      real(dp) :: together, apart, touch, longest, limits(2)
       integer :: i, k
 
       longest = maxval([0.0_dp, half_length])
@@ -264,7 +267,9 @@ contains
                   together = half_length(a%crossing) + half_length(b%crossing)
                   apart = max(wires%arc_between(a%own, a%arc, b%arc), wires%arc_between(a%other, a%arc_other, &
                      b%arc_other))
-                  touch = smooth_step((begin_to_touch - apart/together)/(begin_to_touch - one_overlap)) &
+                  limits = merge([ends_begin_to_touch, one_lap], [begin_to_touch, one_overlap], &
+                     any(crossings(a%crossing)%held) .and. any(crossings(b%crossing)%held))
+                  touch = smooth_step((limits(1) - apart/together)/(limits(1) - limits(2))) &
                      *smooth_step(apart/(one_lens*together))
                   call add_ripple(crossings(b%crossing)%gap, touch, crossings(a%crossing))
                   call add_ripple(crossings(a%crossing)%gap, touch, crossings(b%crossing))

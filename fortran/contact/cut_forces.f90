@@ -14,6 +14,8 @@ module litz_cut_forces
    private
    public :: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
 
+   !> An end cuts a spot as one narrower by this, squared: what is beside it takes over (from half-spaces, see the theory)
+   real(dp), parameter :: narrower = 0.5_dp
    !> Energy over force and overlap of Hertz
    real(dp), parameter :: energy_of_hertz = 0.4_dp
 
@@ -144,7 +146,8 @@ contains
             ! the flattest direction lies between the wires: cosine and sine of twice its angle to this one
             twice = [radius(3 - i) + radius(i)*cos(2*angle), radius(i)*sin(2*angle)]
             twice = twice/max(norm2(twice), tiny(shift))
-            lens%extent(i) = min(1.0_dp, lens%bend(i)/(2*lens%distance)*extent_of(cylinders, (1 + twice(1))/2))
+            lens%extent(i) = min(1.0_dp, narrower*lens%bend(i)/(2*lens%distance) &
+               *extent_of(cylinders, (1 + twice(1))/2))
             ! a sphere that leans by t touches r t away from its pole, less where the other wire is curved that way
             shift = radius(i)*(1 - radius(i)*sin(angle)**2/sum(radius))
             lens%receding(i) = (shift/lens%distance)**2/extent_of(ends(i), cos(angle)**2)

@@ -1,24 +1,32 @@
 !> What a place stands for next to the end of the wire that it lies along.
 !>
 !> There the overlap ends between two places, wherever the end comes to lie: the last two places that have their feet on
-!> the wire stand for all that lies between them and the end, the next one, which is beyond, for nothing.
+!> the wire stand for all that lies between them and the end, the next one, which is beyond, for nothing. A short lap
+!> bounds the far field of the places in it.
 module litz_line_laps
    use litz_kinds, only: dp
    use litz_contact_points, only: contact_point_t, leg_t
    use litz_element_library, only: elements_t
-   use litz_lens_law, only: smooth_step
+   use litz_lens_law, only: share_of_line, share_of_point, slope_of_line_share, smooth_step
    use litz_line_kinematics, only: line_profile_t
-   use litz_line_places, only: line_places_t
+   use litz_line_places, only: line_places_t, resolved_by_places
+   use litz_round_end, only: round_end_t
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: find_lap, slide_along_lap, cell_at_lap, distances_to_ends, lap_from_end, lap_at_crossing
+   public :: find_lap, slide_along_lap, cell_at_lap, distances_to_ends, lap_from_end, lap_at_crossing, bound_by_lap
+   public :: find_round_end
 
    !> Ends and places that are nearer to each other than this part of the distance of places lie side by side: all
    !> places of a lap have to find the same
    real(dp), parameter :: tie = 1.0e-8_dp
    !> Part of the overlap at one place from which on that at the next one goes on
    real(dp), parameter :: goes_on = 0.25_dp
+
+   !> Part of the Hertz contact of a round end that lies beyond the end of a line
+   real(dp), parameter :: half_of_end = 0.5_dp
+   !> Radii that round ends add to the length of a lap (from half-spaces, see the theory)
+   real(dp), parameter :: beyond_lap = 0.4_dp
 
 contains
 
@@ -100,7 +108,7 @@ contains
       share = smooth_step(overlap(2)/max(goes_on*overlap(1), tiny(share)))
    end function share_of_course
 
-   !> The length for which a place stands, as its foot has slid.
+   !> The length for which a place stands, and what bounds its far field, as its foot has slid.
    pure subroutine slide_along_lap(wires, elements, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -112,8 +120,13 @@ contains
       to_end = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
       associate (now => to_end(point%lens%side(1)))
          slid = now - point%place(1)
-         point%weight = max(0.0_dp, point%weight + (point%dweight_dlap + point%d2weight_dlap2*slid/2)*slid)
-         point%dweight_dlap = point%dweight_dlap + point%d2weight_dlap2*slid
+         point%weight = max(0.0_dp, point%weight + (point%lap%dweight + point%lap%d2weight*slid/2)*slid)
+         point%lap%dweight = point%lap%dweight + point%lap%d2weight*slid
+         point%lap%strip_bound = max(0.0_dp, point%lap%strip_bound + point%lap%dstrip_bound*slid)
+         point%section_share = max(0.0_dp, min(1.0_dp, point%section_share + point%lap%dsection_share*slid))
+         associate (round => point%lap%round_end)
+            round%beyond = round%beyond + round%dbeyond*slid
+         end associate
          point%place(1) = now
       end associate
    end subroutine slide_along_lap
@@ -203,15 +216,122 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: point
+
+      lap = maxval(min(distances_to_ends(wires, elements, point%element, point%arc), other_way(wires, elements, point)))
+   end function lap_at_crossing
+
+   !> Between ends the sections bound the field of a place only as far as the lap is long, as they do in a lens; else
+   !> the strip itself does, pressed evenly: its approach is that in the middle of the lap, `2 f/(pi E*) (ln(4 h/b) +
+   !> 1/2)` of the half length h, and a little more for the round ends beyond it.
+   pure subroutine bound_by_lap(wires, elements, radius, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> The smaller one [m]
+      real(dp), intent(in) :: radius
+      !> In: with the end that it is next to; out: with the end that bounds its lap alone
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: lap, length, share, of_strip, to_ends(2)
+      integer :: side
+
+      call find_lap_round(wires, elements, point, lap, side)
+      length = exp(0.5_dp)*lap/2 + beyond_lap*radius
+      of_strip = (4*length)**(-2)
+      share = point%history%dent%share_of_section(share_of_line(lap/2/radius))
+      point%lap%strip_bound = (1 - share)*of_strip
+      if (side > 0 .and. (side == point%lens%side(1) .or. .not. point%lens%near(1))) then
+         to_ends = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
+         point%lens%near(1) = .true.
+         point%lens%side(1) = side
+         point%place(1) = to_ends(side)
+         associate (dshare => slope_of_line_share(lap/2/radius)/(2*radius))
+            point%lap%dstrip_bound = -exp(0.5_dp)*point%lap%strip_bound/length - dshare*of_strip
+            if (share < point%section_share) point%lap%dsection_share = dshare
+         end associate
+      end if
+      point%section_share = min(point%section_share, share)
+      if (.not. point%in_lens) point%spot_section = point%section_share
+   end subroutine bound_by_lap
+
+   !> The round end of the wire of a place that is its last one: half of its Hertz contact, as far as the places along
+   !> the line carry what is before it, and the contact at the end does not carry a short lap.
+   pure subroutine find_round_end(wires, elements, places, line_share, point)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(line_places_t), intent(in) :: places
+      !> Of the place [-]
+      real(dp), intent(in) :: line_share
+      type(contact_point_t), intent(inout) :: point
+      real(dp) :: own(2), other(2), short, slope
+      integer :: inner
+
+      point%lap%round_end = round_end_t()
+      own = distances_to_ends(wires, elements, point%element, point%arc)
+      inner = maxloc(own, 1)
+      if (point%foot_at_end .or. .not. own(3 - inner) < tie*elements%length(point%element)) return
+      if (.not. wires%is_free(3 - inner, wires%wire(point%element))) return
+      other = other_way(wires, elements, point)
+      associate (pair => [point%element_bar, point%element])
+         call share_of_point(min(own(inner), other(inner)), resolved_by_places(places, pair, elements%length(pair), &
+            elements%radius(pair)), short, slope)
+      end associate
+      associate (round => point%lap%round_end, lens => point%lens)
+         round%share = half_of_end*min(line_share, 1 - short)
+         round%distance = point%kinematics%distance
+         round%beyond = other(3 - inner)
+         associate (side => merge(3 - inner, inner, runs_along(wires, point)))
+            if (.not. lens%near(1) .and. round%beyond < round%distance) then
+               lens%near(1) = .true.
+               lens%side(1) = side
+               point%place(1) = round%beyond
+            end if
+            if (lens%near(1)) round%dbeyond = merge(1, -1, lens%side(1) == side)
+         end associate
+      end associate
+   end subroutine find_round_end
+
+   !> How far two wires lie beside each other, from the end of either of them to that of either, and the end of the
+   !> barred wire that bounds this lap alone, so that it changes as the foot slides.
+   pure subroutine find_lap_round(wires, elements, point, lap, side)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Between the ends
+      type(contact_point_t), intent(in) :: point
+      !> [m]
+      real(dp), intent(out) :: lap
+      !> Towards the first (1) or the second end (2); 0: both ends of it or none bound the lap
+      integer, intent(out) :: side
       real(dp) :: own(2), other(2)
-      logical :: runs_along
+
+      ! beyond a joint wires go on
+      own = merge(distances_to_ends(wires, elements, point%element, point%arc), huge(lap), &
+         wires%is_free(:, wires%wire(point%element)))
+      other = merge(distances_to_ends(wires, elements, point%element_bar, point%arc_bar), huge(lap), &
+         wires%is_free(:, wires%wire(point%element_bar)))
+      if (.not. runs_along(wires, point)) other = other([2, 1])
+      lap = sum(min(huge(lap)/2, own, other))
+      side = 0
+      if (count(other < own) /= 1) return
+      side = findloc(other < own, .true., 1)
+      if (.not. runs_along(wires, point)) side = 3 - side
+   end subroutine find_lap_round
+
+   !> Way on the barred wire to its ends, against and along the unbarred one (2) [m].
+   pure function other_way(wires, elements, point) result(way)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+      real(dp) :: way(2)
+
+      way = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
+      if (.not. runs_along(wires, point)) way = way([2, 1])
+   end function other_way
+
+   pure logical function runs_along(wires, point)
+      type(wires_t), intent(in) :: wires
+      type(contact_point_t), intent(in) :: point
 
       runs_along = point%kinematics%cos_angle*product(wires%direction([point%element_bar, point%element])) > 0
-      own = distances_to_ends(wires, elements, point%element, point%arc)
-      other = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
-      if (.not. runs_along) other = other([2, 1])
-      lap = maxval(min(own, other))
-   end function lap_at_crossing
+   end function runs_along
 
    !> Lengths of wire from a place to the first and to the second end [m]; huge along a closed wire.
    pure function distances_to_ends(wires, elements, e, arc) result(distance)

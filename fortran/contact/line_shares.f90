@@ -15,19 +15,20 @@ module litz_line_shares
    use litz_cut_lens, only: cut_lens_t, is_cut
    use litz_crossings_of_wires, only: crossings_of_wires_t, sort_crossings
    use litz_element_library, only: elements_t
+   use litz_lap_of_place, only: lap_of_place_t
    use litz_lens_growth, only: settle_growth
    use litz_lens_law, only: share_of_point, share_of_line, smooth_step
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: line_profile_t, line_profile
-   use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing
-   use litz_line_places, only: line_places_t, spacing_of_places
+   use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing, bound_by_lap, find_round_end
+   use litz_line_places, only: line_places_t, resolved_by_places, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_settled_angles, only: settle_angle
    use litz_share_changes, only: change_of_cut, change_of_energies, change_of_law
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_at_crossing, half_pass, &
-      resolution, least_sine
+      least_sine
    use litz_wires, only: wires_t
    implicit none
    private
@@ -298,6 +299,7 @@ contains
          point%line_share = 1
          point%energy_ratio = 1
          point%section_share = 1
+         point%lap = lap_of_place_t()
          point%spot_section = 1
          point%kept_overlap = 0
          point%deepest = 0
@@ -327,8 +329,10 @@ contains
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
          call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
-         point%dweight_dlap = part*of_lap(1)
-         point%d2weight_dlap2 = part*of_lap(2)
+         point%lap%dweight = part*of_lap(1)
+         point%lap%d2weight = part*of_lap(2)
+         call bound_by_lap(wires, elements, minval(elements%radius(pair)), point)
+         call find_round_end(wires, elements, contact%places, min(1.0_dp, part/half_pass), point)
          point%weight = part*contact%places%length(point%line_place)*of_length
          point%cell%reach = cell_at_lap(wires, elements, contact%places, rate, point)
          point%settled_weight = point%weight
@@ -413,8 +417,8 @@ contains
          pair = [crossing%element_bar, crossing%element]
          half_length = half_length_of(crossing, deepest*radius)
       end if
-      call share_of_point(half_length, resolution*spacing_of_places(places, pair, elements%length(pair)), of_crossing, &
-         slope)
+      call share_of_point(half_length, resolved_by_places(places, pair, elements%length(pair), elements%radius(pair)), &
+         of_crossing, slope)
       point%line_share = 1 - short*of_crossing
       point%energy_ratio = 1 + short*(crossing%energy_ratio - 1)
       point%section_share = point%history%dent%share_of_section(1 - short*(1 - share_of_line(half_length/radius)))

@@ -10,20 +10,21 @@ module litz_normal_forces
    use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
-   use litz_hertz, only: hertz_ellipse, hertz_ok
+   use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
+   use litz_lap_of_place, only: lap_force_t, force_along_lap
    use litz_law_input, only: wire_pair_t
    use litz_lens_forces, only: law_of_lens, find_overlap_of_lens
    use litz_lens_law, only: lens_t, lens_force, lens_energy
-   use litz_line_point, only: force_of_line
-   use litz_line_law, only: line_force_t
    use litz_model, only: model_t, interaction_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
    use litz_parallel, only: worth_threads
+   use litz_place_forces, only: place_law_t, law_of_place
+   use litz_round_end, only: ellipse_of_end
    use litz_turned_lenses, only: line_of_point, turn_lens
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, overlap_of_yielding_lens, &
       with_dent
-   use litz_yielding_place, only: place_state_t, state_of_place, place_force
+   use litz_yielding_place, only: place_state_t, state_of_place
    use litz_yielding_spot, only: dent_t, yielding_state_t, widest_spot
    use litz_yielding_wires, only: lens_of_wires, place_of_wires, depth_of_lens
    implicit none
@@ -93,6 +94,7 @@ contains
       point%at_gap = force_of_gap_t()
       point%at_mixed = force_of_gap_t()
       point%slide_force = 0
+      point%lap%round_end%force = 0
       if (point%law_status /= law_too_curved) point%law_status = law_ok
       point%force = 0
       point%stiffness = 0
@@ -108,6 +110,7 @@ contains
          if (needs_line) point%line = line_of_point(pair, point)
          if (.not. (point%active .or. point%closed)) return
          if (point%line_place > 0) then
+            call find_law_of_end(law%normal, pair, point)
             call press_line(law%normal%line_penalty(), point)
          else if (is_lens(law%normal, point)) then
             if ((law%spot%uses_ellipse .or. law%heat%uses_ellipse) .and. share_of_ellipse(law%normal, point) > 0) then
@@ -430,29 +433,48 @@ contains
       call follow_cut(weight, point)
    end subroutine press_yielding_lens
 
+   !> The Hertz contact of the round end of a wire; elastic metal alone has it.
+   pure subroutine find_law_of_end(law, pair, point)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> At a place
+      type(contact_point_t), intent(inout) :: point
+      type(hertz_ellipse_t) :: ellipse
+
+      associate (round => point%lap%round_end)
+         round%hertz = 0
+         if (.not. round%share > 0 .or. law%yields() .or. law%line_penalty() > 0) return
+         ellipse = ellipse_of_end(pair, point%kinematics%angle)
+         if (ellipse%approach > 0) round%hertz = ellipse%approach**(-1.5_dp)                 ! delta = cd F^(2/3)
+      end associate
+   end subroutine find_law_of_end
+
    !> A point of a line contact: the law per length times the length that it stands for, linearised about the gap that
    !> was predicted: what the motion has done to the gap besides is a matter of the next step, not of the force.
    pure subroutine press_line(penalty, point)
       !> eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: penalty
       type(contact_point_t), intent(inout) :: point
-      type(line_force_t) :: law
+      type(place_law_t) :: law
+      type(lap_force_t) :: along
 
-      law = place_force(point%yielding_place, point%line, -point%gap, penalty)
+      law = law_of_place(point, -point%gap, penalty)
       if (point%yielding_place%yields) call follow_place(point)
-      point%at_gap = force_of_line(law, point%weight)
+      point%at_gap = force_of_gap_t(force=law%force, dforce_dgap=-law%stiffness, energy=law%energy)
+      point%lap%round_end%force = law%of_end%force
       if (point%lens%near(1) .and. point%closed) then
-         point%slide_force = [point%dweight_dlap*law%energy, 0.0_dp]
-         point%slide_by_overlap = [point%dweight_dlap*law%force, 0.0_dp]
+         along = force_along_lap(point%lap, point%line, point%section_share, point%weight, law%per_length, law%of_end)
+         point%slide_force = [along%force, 0.0_dp]
+         point%slide_by_overlap = [along%by_overlap, 0.0_dp]
          point%slide_stiffness = 0
-         point%slide_stiffness(1, 1) = point%d2weight_dlap2*law%energy
+         point%slide_stiffness(1, 1) = along%stiffness
       end if
       if (.not. point%active) return
       if (.not. point%predicted) point%predicted_gap = point%gap
-      law = place_force(point%yielding_place, point%line, -point%predicted_gap, penalty)
-      point%mixed_force = point%weight*law%force
+      law = law_of_place(point, -point%predicted_gap, penalty)
+      point%mixed_force = law%force
       point%geometric_force = point%mixed_force
-      point%stiffness = point%weight*law%stiffness
+      point%stiffness = law%stiffness
       point%iteration_force = point%mixed_force + point%stiffness*(point%predicted_gap - point%gap)
    end subroutine press_line
 

@@ -12,19 +12,17 @@ module litz_shares_at_ends
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_ends, share_of_line, smooth_step
    use litz_line_laps, only: lap_from_end
-   use litz_line_places, only: line_places_t, place_at, spacing_of_places
+   use litz_line_places, only: line_places_t, place_at, resolved_by_places
    use litz_normal_law, only: normal_law_t
    use litz_rotations, only: cross
    use litz_wires, only: wires_t
    implicit none
    private
    public :: own_t, share_end, share_on_legs, share_along, share_of_lens, share_at_crossing
-   public :: half_pass, resolution, least_sine
+   public :: half_pass, least_sine
 
    !> Weight of one of the two passes
    real(dp), parameter :: half_pass = 0.5_dp
-   !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
-   real(dp), parameter :: resolution = 0.65_dp
    !> Least angle that the law of a contact at an end sees [rad]
    real(dp), parameter :: least_sine = 1.0e-3_dp
 
@@ -281,7 +279,8 @@ contains
       !> What places leave, and length of what the ends leave of the overlap [m]
       real(dp), intent(in) :: of_crossing, length
 
-      share = share_of_ends(1 - of_crossing, length, resolution*spacing_of_places(places, pair, elements%length(pair)))
+      share = share_of_ends(1 - of_crossing, length, resolved_by_places(places, pair, elements%length(pair), &
+         elements%radius(pair)))
    end function share_beside_places
 
    !> What a contact carries: cylinders what places along the line leave, round ends and joints their share.

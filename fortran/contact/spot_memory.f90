@@ -14,6 +14,7 @@ module litz_spot_memory
    use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
    use litz_overlap_of_force, only: overlap_of_point
    use litz_normal_law, only: overlap_of_force_t
+   use litz_place_forces, only: force_along_line
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spots_of_places, only: strip_of
    use litz_wires, only: wires_t, arc_from_to
@@ -47,7 +48,7 @@ contains
                point%new_spot = has_moved_off(law, wires, pair, whole(1))
             end if
             if (.not. whole(1)%force > 0) cycle
-            point%whole_force = whole(1)%force/whole(1)%weight
+            point%whole_force = force_along_line(whole(1))/whole(1)%weight
             if (point%line_place > 0 .or. any(point%held)) cycle
             point%kept_overlap = -point%gap
             if (point%new_spot .or. point%history%largest_force <= point%whole_force) cycle

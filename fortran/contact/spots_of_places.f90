@@ -13,6 +13,7 @@ module litz_spots_of_places
    use litz_line_kinematics, only: line_course_t
    use litz_line_law, only: line_force_t, line_overlap_t, line_overlap, line_spot_t, line_spot
    use litz_model, only: interaction_t
+   use litz_round_end, only: end_force_t, force_of_end, ellipse_of_end
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_law_t, spot_ok
    use litz_yielding_place, only: place_force
    implicit none
@@ -62,7 +63,39 @@ contains
       if (.not. law%spot%is_per_length) circuit%spot%semi_major = 4/pi*circuit%spot%semi_major
       circuit%dconductance = density*(of_strip%derivative(2)*course%dslope + of_strip%derivative(3)*course%dbend &
          - of_strip%derivative(1)*point%kinematics%dgap)
+      if (point%lap%round_end%hertz > 0 .and. point%gap < 0) call add_round_end(law, pair, deeper, point, circuit)
    end subroutine spot_of_cell
+
+   !> What the round end of the wire conducts: as much of the spot of its Hertz contact as it has of that.
+   pure subroutine add_round_end(law, pair, deeper, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> How much deeper the wires were when the spot was made [m]
+      real(dp), intent(in) :: deeper
+      type(contact_point_t), intent(inout) :: point
+      !> In: with the strip
+      type(spot_in_circuit_t), intent(inout) :: circuit
+      type(end_force_t) :: at
+      type(contact_spot_t) :: whole
+      real(dp) :: overlap, by_overlap
+      integer :: info
+
+      if (law%spot%is_per_length) return
+      overlap = deeper - point%gap
+      associate (round => point%lap%round_end)
+         at = force_of_end(round, overlap)
+         call contact_spot(law%spot, round%hertz*overlap**1.5_dp, pair, ellipse_of_end(pair, point%kinematics%angle), &
+            whole, info)
+         if (info /= spot_ok) point%law_status = law_bad_data
+         by_overlap = 0
+         if (circuit%follows > 0) by_overlap = at%part*whole%dconductance_dforce*1.5_dp*round%hertz*sqrt(overlap) &
+            + at%dpart*whole%conductance
+      end associate
+      circuit%spot%conductance = circuit%spot%conductance + at%part*whole%conductance
+      circuit%spot%dconductance_dresistivity = circuit%spot%dconductance_dresistivity &
+         + at%part*whole%dconductance_dresistivity
+      circuit%dconductance = circuit%dconductance - by_overlap*point%kinematics%dgap
+   end subroutine add_round_end
 
    !> The strip on the part of a cell that touches.
    pure subroutine find_strip(law, pair, samples, deeper, point, strip, half_width)

@@ -24,8 +24,9 @@ contains
       type(contact_point_t), intent(in) :: point
 
       line = line_wires(pair, point%law_angle)
-      line%section = point%section_share*line%section
-      line%electric_section = point%section_share*line%electric_section
+      ! what bounds the far field in place of the section
+      line%section = point%section_share*line%section + point%lap%strip_bound
+      line%electric_section = point%section_share*line%electric_section + point%lap%strip_bound
    end function line_of_point
 
    !> The point with another angle of its law, and all else as it was.

@@ -104,10 +104,12 @@ contains
    end function share_of_section
 
    !> The memory of a contact that is closed when an increment has converged.
-   pure function advanced_history(start, arc, force, weight, friction, new_spot) result(history)
+   pure function advanced_history(start, arc, force, weight, spot_force, friction, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], normal force [N], share [-] or length [m]
       real(dp), intent(in) :: arc(2), force, weight
+      !> Force of the whole contact [N] or per length [N/m]
+      real(dp), intent(in) :: spot_force
       type(friction_law_t), intent(in) :: friction
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
@@ -123,7 +125,7 @@ contains
       history%dissipation = start%dissipation + friction%dissipation
       history%last_dissipation = friction%dissipation
       history%elastic_energy = start%elastic_energy + friction%elastic_work
-      call remember_spot(start, arc, force/weight, new_spot, history)
+      call remember_spot(start, arc, spot_force, new_spot, history)
    end function advanced_history
 
    !> What is left of the memory where the wires still overlap, but other points carry the contact: their spot, which

@@ -24,6 +24,8 @@ module litz_cut_lens
 
    !> kappa^2 of a spot that is as long as the overlap
    real(dp), parameter :: whole_overlap = 1
+   !> An overlap that begins at the end is half a wedge where its place is this part of it (from half-spaces)
+   real(dp), parameter :: wedge_from = 2
 
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
    real(dp), parameter :: least_common = 0.01_dp
@@ -46,6 +48,8 @@ module litz_cut_lens
       real(dp) :: extent(2) = 1
       !> By how much less than the round end the cylinder behind it overlaps, over the square of its place (2) [1/m]
       real(dp) :: receding(2) = 0
+      !> Part of the curvature that is that of the wires, and not that of the longest overlap (2) [-]
+      real(dp) :: own_bend(2) = 1
       !> It is at a joint of either wire, or a joint cuts its overlap: what the cylinders (1) of all legs and the round
       !> joint (2) of the barred and the unbarred wire have of the force, in parts of what they would have alone (2, 2),
       !> and what counts of the part of both cylinders
@@ -127,8 +131,9 @@ contains
          if (.not. lens%near(i)) cycle
          recess = constant(0.0_dp)
          if (held(i) .and. place(i) < 0) recess = lens%receding(i)*variable(place(i), i + 1)*variable(place(i), i + 1)
-         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, lens%extent(i))
-         over_foot(i) = energy_to(root(i)*foot(i), corner, whole_overlap)
+         cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, &
+            lens%extent(i), lens%own_bend(i))
+         over_foot(i) = energy_to(root(i)*foot(i), corner, whole_overlap, whole_overlap)
          middle = middle - recess
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
@@ -233,25 +238,27 @@ contains
    !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the
    !> wire is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins
    !> at the end, where the wire leans, the same up to `u^2 = x^2/(kappa delta_c + x^2)` of a wedge.
-   pure type(jet_t) function energy_to(x, overlap, extent) result(energy)
+   pure type(jet_t) function energy_to(x, overlap, extent, own_bend) result(energy)
       !> `a sqrt(k/2)` [m^(1/2)], and the overlap of the cylinder at its end, delta_c
       type(jet_t), intent(in) :: x, overlap
-      !> kappa^2
-      real(dp), intent(in) :: extent
-      type(jet_t) :: u, square, whole
-      real(dp) :: kappa
+      !> kappa^2, and the part of k that is that of the wires
+      real(dp), intent(in) :: extent, own_bend
+      type(jet_t) :: u, square, whole, lean
+      real(dp) :: of_wedge
 
       energy = constant(merge(1.0_dp, 0.0_dp, x%value > 0))
       square = x*x
       whole = overlap + square
-      kappa = sqrt(extent)
+      of_wedge = min(1.0_dp, sqrt(2*extent))
       if (x%value > 0) then
          if (.not. square%value < extent*whole%value) return
          u = x*(extent*whole)**(-0.5_dp)
       else
          if (.not. overlap%value > 0) return
          ! kappa^2 where it begins to lean
-         u = x*(square + overlap*(extent*overlap + kappa*square)*whole**(-1.0_dp))**(-0.5_dp)
+         lean = wedge_from*square
+         u = x*(square + overlap*((own_bend*extent)*overlap + of_wedge*lean)*(own_bend*overlap + lean)**(-1.0_dp)) &
+            **(-0.5_dp)
       end if
       energy = energy_below(u)
    end function energy_to

@@ -11,6 +11,7 @@ module litz_line_law
    implicit none
    private
    public :: line_wires_t, line_wires, line_force_t, line_force, line_overlap_t, line_overlap, line_spot_t, line_spot
+   public :: line_change_t, change_by_section
    public :: widest_strip
 
    !> Largest half width of the strip, as a share of the smaller radius, at which the law holds
@@ -56,6 +57,12 @@ module litz_line_law
       !> The strip is wider than the law holds for; from there on the force is a straight line over the overlap
       logical :: too_wide = .false.
    end type line_force_t
+
+   !> How the law at an overlap changes with ln(B), of which the energy has a second derivative, too.
+   type :: line_change_t
+      !> [J/m], [N/m], [J/m]
+      real(dp) :: energy = 0, force = 0, d2energy = 0
+   end type line_change_t
 
    !> The law at a force per length; all 0 where there is none.
    type :: line_overlap_t
@@ -201,6 +208,23 @@ contains
          if (abs(step) <= step_tolerance) exit
       end do
    end function elastic_force
+
+   !> What another bound of the far field changes at the same overlap: `d Pi_l/d ln B = f^2 h/(pi E*)` with the `h` of
+   !> the energy, and `d(f^2 h)/d ln f = f^2 B/(A + B)`.
+   pure type(line_change_t) function change_by_section(line, force) result(change)
+      type(line_wires_t), intent(in) :: line
+      !> f [N/m], at most that of the widest strip
+      real(dp), intent(in) :: force
+      real(dp) :: share, deficit, by_force
+
+      if (.not. force > 0) return
+      share = section_share(line, force)
+      deficit = energy_deficit(line, force)
+      by_force = share/(2*logarithm(line, force) - share)                                  ! d ln f/d ln B
+      change%force = by_force*force
+      change%energy = force**2*deficit/(pi*line%modulus)
+      change%d2energy = force**2*(share*(1 + by_force) - 2*deficit)/(pi*line%modulus)
+   end function change_by_section
 
    !> Overlap and stiffness at a force per length.
    pure type(line_overlap_t) function line_overlap(line, force, penalty) result(found)

@@ -79,8 +79,12 @@ def test_the_conductance_kept_is_that_of_a_strip_of_the_largest_force(run):
     assert process.returncode == 0, process.stderr
     contacts = results.contacts_at(-1)
     exact = ParallelWires(COPPER, COPPER)
-    assert contacts["force"] / contacts["length"] == pytest.approx(exact.force(OVERLAP / 4), rel=1e-8)
-    assert 1 / (contacts["resistance"] * contacts["length"]) == pytest.approx(
+    # the round ends of the upper wire, on its last places, have more
+    between = np.abs(contacts["point_2_x"]) < 9.9e-3
+    length = contacts["length"][between]
+    assert len(length) == len(contacts["length"]) - 2
+    assert contacts["force"][between] / length == pytest.approx(exact.force(OVERLAP / 4), rel=1e-8)
+    assert 1 / (contacts["resistance"][between] * length) == pytest.approx(
         exact.conductance(exact.force(OVERLAP)), rel=1e-8
     )
 

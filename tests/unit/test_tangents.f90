@@ -161,6 +161,8 @@ program test_tangents
       '14, 0.028, 0.012, 0.002'//nl)
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
    call check_lines('line of Hertz', hertz//clean, 0.0_dp, 4.0e-6_dp, 0.1_dp)
+   call check_lines('short lap', hertz, 0.0_dp, 4.0e-6_dp, 0.05_dp, shift=0.019_dp)
+   call check_lines('lap of wires that nearly end together', hertz, 0.0_dp, 4.0e-6_dp, 0.05_dp, shift=0.00095_dp)
    call check_lines('line with a film', hertz//'*GAP ELECTRICAL CONDUCTANCE, LAW=FILM, VOLTAGE=LINEAR'//nl//'1e-12' &
       //nl, 0.0_dp, 4.0e-6_dp, 0.1_dp)
    call check_lines('bow over a straight wire, penalty', penalty_of_line//clean, 5.0_dp, 3.0e-5_dp, 0.01_dp)
@@ -250,22 +252,22 @@ contains
    end function deck_of
 
    !> A wire above another one and along it, in a bow above its middle; the nodes do not match.
-   function deck_along(laws, bow, push, loads) result(deck)
+   function deck_along(laws, bow, push, loads, shift) result(deck)
       !> The loads are those of the second step
       character(len=*), intent(in) :: laws, loads
       !> Curvature of the upper wire [1/m], and how far its ends are lowered [m]
       real(dp), intent(in) :: bow, push
+      !> How far the upper wire is moved along the lower one [m]
+      real(dp), intent(in) :: shift
       character(len=:), allocatable :: deck
-      character(len=24) :: height
+      character(len=64) :: node
       real(dp), parameter :: x(4) = [-0.010_dp, -0.003_dp, 0.005_dp, 0.011_dp]
-      character(len=*), parameter :: node(4) = ['11, -0.010, 0, ', '12, -0.003, 0, ', &
-         '13,  0.005, 0, ', '14,  0.011, 0, ']
       integer :: i
 
       deck = '*NODE'//nl//'1, -0.012, 0, 0'//nl//'2, -0.004, 0, 0'//nl//'3, 0.004, 0, 0'//nl//'4, 0.012, 0, 0'//nl
       do i = 1, 4
-         write (height, '(es24.16)') 1.8e-3_dp + bow*x(i)**2/2
-         deck = deck//node(i)//height//nl
+         write (node, '(i0, ", ", es24.16, ", 0, ", es24.16)') 10 + i, x(i) + shift, 1.8e-3_dp + bow*x(i)**2/2
+         deck = deck//trim(node)//nl
       end do
       deck = deck//elements_and_contact('B33', 'B33', '', laws)//'*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl// &
          step_of(-push, '')//step_of(-1.25_dp*push, loads)
@@ -294,9 +296,9 @@ contains
             nl//'11, 0.02, 0.009, 0.016'//nl//'12, 0.014, 0.006, 0.0112'//nl//'13, 0.008, 0.003, 0.0065'//nl// &
             '14, 0.0009, 0.0004, 0.0016'//nl
       case ('before', 'behind')
-         deck = cantilever//nodes_across(merge(-4.0e-6_dp, 2.0e-5_dp, place == 'before'), 0.02_dp)
+         deck = cantilever//nodes_across(merge(3.0e-6_dp, 2.0e-5_dp, place == 'before'), 0.02_dp)
       case ('before both', 'behind one', 'behind both')
-         deck = cantilever//nodes_across(merge(-4.0e-6_dp, 2.0e-5_dp, place == 'before both'), &
+         deck = cantilever//nodes_across(merge(-2.1e-6_dp, 2.0e-5_dp, place == 'before both'), &
             merge(-3.0e-5_dp, 2.0e-5_dp, place == 'behind both'))
       case ('leg')
          deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
@@ -507,7 +509,7 @@ contains
    end subroutine check_contacts_over_temperature
 
    !> Wires that touch along a line, `part` of the usual random motion away from equilibrium.
-   subroutine check_lines(name, laws, bow, push, part, larger, loads, tolerance, steps)
+   subroutine check_lines(name, laws, bow, push, part, larger, loads, tolerance, steps, shift)
       character(len=*), intent(in) :: name, laws
       real(dp), intent(in) :: bow, push, part
       !> Times the present one are the largest forces that places remember, and dents; absent: 1
@@ -518,18 +520,22 @@ contains
       real(dp), intent(in), optional :: tolerance
       !> As in `compare`
       real(dp), intent(in), optional :: steps
+      !> Of the upper wire along the lower one [m]
+      real(dp), intent(in), optional :: shift
       type(problem_t) :: problem
       character(len=:), allocatable :: cards
-      real(dp) :: right
+      real(dp) :: right, along
       integer :: trial
 
       cards = ''
       if (present(loads)) cards = loads
+      along = 0
+      if (present(shift)) along = shift
       right = exact
       if (present(tolerance)) right = tolerance
       ! the same motions whatever was checked before: none of them brings a place to the verge of touching
       call start_random_numbers()
-      call solve_first_step(deck_along(laws, bow, push, cards), problem)
+      call solve_first_step(deck_along(laws, bow, push, cards, along), problem)
       if (present(larger)) then
          associate (history => problem%contact%converged_line_points%history)
             history%largest_force = larger*history%largest_force

@@ -1,7 +1,8 @@
 """Wires that touch with their round ends: on the side of another wire, on its end, and in a lap that ends between nodes.
 
 Source: H. Hertz (1882), K. L. Johnson, Contact Mechanics (1985), section 4.2: a sphere on a cylinder, and two spheres; R. Holm,
-Electric Contacts (1967), sections 3 and 4; in references/hertz.py. The lap: force goes with length.
+Electric Contacts (1967), sections 3 and 4; in references/hertz.py. The lap: force goes with length, beside half of
+the contact of either round end (theory, 10.18b).
 """
 
 import numpy as np
@@ -10,7 +11,7 @@ from verification import figures
 from verification.deck_text import chain, heading, join, step
 from verification.line_decks import FIRST, SECOND, material, touching
 from verification.references.hertz import effective_modulus, end_on_wire
-from verification.references.parallel_wires import PressedWire
+from verification.references.parallel_wires import ParallelWires, PressedWire
 
 COPPER = PressedWire(0.5e-3, 120e9, 0.34, 1 / 5.88e7)
 STEEL = PressedWire(0.3e-3, 200e9, 0.28, 1.4e-7)
@@ -81,23 +82,25 @@ def on_the_end(workspace):
     return measured(workspace, "end_on_end", pressed(lower, upper, -normal))
 
 
-def force_per_length(workspace, lap):
+def force_of_lap(workspace, lap):
     """Two wires side by side, one of which begins where the other one still goes on for the length of the lap."""
     lower = np.linspace((-0.02, 0, 0), (0, 0, 0), 14)
     upper = np.linspace((-lap, 0, COPPER.radius + STEEL.radius), (0.02 - lap, 0, COPPER.radius + STEEL.radius), 18)
-    return measured(workspace, f"lap_{round(1e6 * lap)}", pressed(lower, upper, (0, 0, -1)))[0] / lap
+    return measured(workspace, f"lap_{round(1e6 * lap)}", pressed(lower, upper, (0, 0, -1)))[0]
 
 
 def measure(workspace):
     side = [on_the_side(workspace, degrees) for degrees in ANGLES]
     end = on_the_end(workspace)
-    laps = [force_per_length(workspace, lap) for lap in LAPS]
+    laps = np.array([force_of_lap(workspace, lap) for lap in LAPS])
+    per_length = ParallelWires(STEEL, COPPER).force(OVERLAP)
     return {
         "ends.side.force": [force for force, _ in side],
         "ends.side.resistance": [resistance for _, resistance in side],
         "ends.end.force": end[0],
         "ends.end.resistance": end[1],
-        "ends.lap": [value / laps[0] for value in laps],
+        "ends.lap": ((laps[0] - laps[1:]) / (LAPS[0] - np.array(LAPS[1:])) / per_length).tolist(),
+        "ends.lap.ends": float(laps[0] - per_length * LAPS[0]),
         "figure": {"angles": ANGLES, "force": [force for force, _ in side]},
     }
 
@@ -108,8 +111,8 @@ def draw(values, path):
         force.plot(values["figure"]["angles"], values["figure"]["force"], "o", label="litz")
         force.set(xlabel="angle of the wire that ends [degrees]", ylabel="force [N]", ylim=(0, None))
         force.legend()
-        lap.plot([1e3 * length for length in LAPS], values["ends.lap"], "o")
-        lap.set(xlabel="length of the lap [mm]", ylabel="force per length, relative", ylim=(0.99, 1.01))
+        lap.plot([1e3 * length for length in LAPS[1:]], values["ends.lap"], "o")
+        lap.set(xlabel="length of the lap [mm]", ylabel="force of what is added, over that of a line", ylim=(0.99, 1.01))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Round ends of wires on wires: tips that lean, and crossings just before an end, as in a half-space.
+"""Round ends of wires on wires: tips that lean, crossings just before an end, and short laps, as in a half-space.
 
 Source: boundary-element solutions, references/end_in_half_space.py.
 """
@@ -18,30 +18,36 @@ MODULUS = WIRE.young / (1 - WIRE.poisson**2) / 2
 #: E* r^(1/2) delta^(3/2) [N], and sqrt(r delta) [m]
 FORCE, LENGTH = MODULUS * RADIUS**0.5 * OVERLAP**1.5, math.sqrt(RADIUS * OVERLAP)
 #: Slopes of tips, in sqrt(delta/r)
-SLOPES = (1.0, 0.5, 0.25)
+SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1)
+#: Lengths of laps, and of one whose wires part by these curvatures [1/r], in sqrt(r delta)
+LAPS, ARCH, BENDS = (2.5, 5.0, 10.0, 20.0), 20.0, (0.01, 0.02, 0.03)
 #: Places of crossings before the end, in sqrt(r delta)
 BEFORE = (0.0, 0.3, 0.6, 1.0)
 
 
 def measure(workspace):
     tips = [force_of(workspace, f"tip_{v}", straight((0, 0), v * math.sqrt(OVERLAP / RADIUS))) for v in SLOPES]
+    laps = [force_of(workspace, f"lap_{length}", *lap(length * LENGTH)) for length in LAPS]
+    arches = [force_of(workspace, f"arch_{bend}", *lap(ARCH * LENGTH, bend / RADIUS)) for bend in BENDS]
     across = [force_of(workspace, f"before_{place}", straight((0, -place * LENGTH), math.inf)) for place in BEFORE]
     return {
         "ends_on_wires.tips": tips,
+        "ends_on_wires.laps": laps,
+        "ends_on_wires.arches": arches,
         "ends_on_wires.crossings": across,
-        "figure": {"tips": tips, "crossings": across},
+        "figure": {"tips": tips, "laps": laps},
     }
 
 
 def draw(values, path):
-    with figures.panels(path) as (tips, crossings):
+    with figures.panels(path) as (tips, laps):
         tips.plot(SLOPES, values["figure"]["tips"], "o", label="litz")
-        tips.plot(SLOPES, [1.133, 1.185, 1.432], label="half-space", **figures.REFERENCE)
+        tips.plot(SLOPES, [1.133, 1.186, 1.433, 1.803, 2.260], label="half-space", **figures.REFERENCE)
         tips.set(xlabel="slope of the tip [(delta/r)^(1/2)]", ylabel="force [E* r^(1/2) delta^(3/2)]", ylim=(0, None))
         tips.legend()
-        crossings.plot(BEFORE, values["figure"]["crossings"], "o")
-        crossings.plot(BEFORE, [1.236, 1.297, 1.326, 1.334], **figures.REFERENCE)
-        crossings.set(xlabel="way from the crossing to the end [(r delta)^(1/2)]", ylim=(0, None))
+        laps.plot(LAPS, values["figure"]["laps"], "o")
+        laps.plot(LAPS, [2.106, 2.943, 4.449, 7.147], **figures.REFERENCE)
+        laps.set(xlabel="length of the lap [(r delta)^(1/2)]", ylim=(0, None))
 
 
 def straight(tip, slope, n=10, length=10 * RADIUS):
@@ -52,9 +58,19 @@ def straight(tip, slope, n=10, length=10 * RADIUS):
     return np.column_stack([tip[0] + s / math.hypot(1, slope), tip[1] + 0 * s, s * slope / math.hypot(1, slope)])
 
 
-def force_of(workspace, name, upper):
-    """Force of the upper wire on one along x, over E* r^(1/2) delta^(3/2)."""
-    lower = np.linspace(-8 * RADIUS, 12 * RADIUS, 21)[:, None] * [1, 0, 0]
+def lap(length, bend=0.0):
+    """Points of the upper wire, which begins half a lap before the middle, and where the lower one ends [m].
+
+    The upper one is an arc about the middle of the lap, lower at both ends of it by what its curvature makes of that.
+    """
+    x = np.arange(-length / 2, 10 * RADIUS, RADIUS / 2)
+    height = bend / 2 * ((length / 2) ** 2 - x**2)
+    return np.column_stack([x, 0 * x, height]), length / 2
+
+
+def force_of(workspace, name, upper, end=12 * RADIUS):
+    """Force of the upper wire on one along x that ends there, over E* r^(1/2) delta^(3/2)."""
+    lower = np.array([end, 0, 0]) - np.linspace(20 * RADIUS, 0, 21)[:, None] * [1, 0, 0]
     deck = join(
         heading("The end of a wire on another one", "Model   all nodes are led"),
         chain(lower, "B33", "LOWER", FIRST),

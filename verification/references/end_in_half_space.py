@@ -77,6 +77,17 @@ def force_of_tip(slope, cells=120):
     return force_of_wires(lambda x: slope * x + sphere(-x), (-1.5 - slope, 0.4 + 1 / slope), cells)
 
 
+def force_of_lap(length, bend=0.0, cells=120):
+    """The same of two equal wires side by side whose ends are a length apart, over sqrt(r delta).
+
+    bend: k r of the curvature with which they part between the ends, so that these touch first.
+    """
+    half = length / 2
+    return force_of_wires(
+        lambda x: bend / 2 * (half**2 - x**2) + sphere(x - half) + sphere(-x - half), (-half - 1.5, half + 1.5), cells
+    )
+
+
 def force_of_crossing(before, cells=120):
     """The same of a wire across an equal one, at this length before its end, over sqrt(r delta)."""
     return force_of_wires(lambda x: x**2 / 2 + sphere(-x - before), (-2.0, 2.0), cells, across=1.0)
@@ -101,5 +112,7 @@ def force_of_wires(height, ends, cells, across=2.0):
 if __name__ == "__main__":
     for slope, bend in ((1.2, 0.0), (0.5, 0.0), (0.3, 0.0), (0.2, 0.0), (0.3, 0.1), (0.2, 0.3)):
         print(slope, bend, *(force_of_end(slope, bend, cells) for cells in (50, 70, 100)))
-    print(*(round(force_of_tip(v), 3) for v in (1.0, 0.5, 0.25)))
+    print(*(round(force_of_tip(v), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1)))
+    print(*(round(force_of_lap(length), 3) for length in (2.5, 5.0, 10.0, 20.0)))
+    print(*(round(force_of_lap(20.0, bend), 3) for bend in (0.01, 0.02, 0.03)))
     print(*(round(force_of_crossing(before), 3) for before in (0.0, 0.3, 0.6, 1.0)))

@@ -1,0 +1,65 @@
+!> What a place along a line has of the lap of its wires: the length that it stands for and the bound of its far field,
+!> and how both change as the ends of the lap move.
+!>
+!> Source: theory section 10.
+module litz_lap_of_place
+   use litz_kinds, only: dp
+   use litz_line_law, only: line_wires_t, line_force_t, line_change_t, change_by_section
+   use litz_round_end, only: round_end_t, end_force_t
+   implicit none
+   private
+   public :: lap_of_place_t, lap_force_t, force_along_lap
+
+   type :: lap_of_place_t
+      !> How the length for which the place stands changes with the distance of its foot from the end of the other wire
+      !> [-], and how that does [1/m]
+      real(dp) :: dweight = 0, d2weight = 0
+      !> `exp(-2 Lambda)/b^2` of a strip as long as the lap, as far as that is short [1/m^2]; how it changes with that
+      !> distance [1/m^3], and how the share of the sections does [1/m]
+      real(dp) :: strip_bound = 0, dstrip_bound = 0, dsection_share = 0
+      !> At the end of the wire of the place: that beside the line
+      type(round_end_t) :: round_end
+   end type lap_of_place_t
+
+   !> Force along the other wire [N], how it changes with the overlap [N/m] and with the place [N/m].
+   type :: lap_force_t
+      real(dp) :: force = 0, by_overlap = 0, stiffness = 0
+   end type lap_force_t
+
+contains
+
+   !> What the energy of a place, `W Pi_l` and that of the round end, does along the other wire as the lap changes.
+   pure type(lap_force_t) function force_along_lap(lap, line, section_share, weight, law, of_end) result(along)
+      type(lap_of_place_t), intent(in) :: lap
+      !> As the place sees it
+      type(line_wires_t), intent(in) :: line
+      !> [-]
+      real(dp), intent(in) :: section_share
+      !> W [m]
+      real(dp), intent(in) :: weight
+      !> At the overlap
+      type(line_force_t), intent(in) :: law
+      type(end_force_t), intent(in) :: of_end
+      type(line_change_t) :: change
+      real(dp) :: slope, curvature
+
+      associate (dbeyond => lap%round_end%dbeyond)
+         along%force = lap%dweight*law%energy + dbeyond*of_end%along
+         along%by_overlap = lap%dweight*law%force + dbeyond*of_end%along_by_overlap
+         along%stiffness = lap%d2weight*law%energy + dbeyond**2*of_end%along_stiffness
+      end associate
+      if (.not. any(abs([lap%dstrip_bound, lap%dsection_share]) > 0)) return
+      if (.not. line%section > 0 .or. law%too_wide) return
+      ! of ln(section), which is a share of that of the wires and that of the strip
+      slope = lap%dstrip_bound
+      if (section_share > 0) slope = slope + lap%dsection_share*(line%section - lap%strip_bound)/section_share
+      slope = slope/line%section
+      curvature = -slope**2
+      change = change_by_section(line, law%force)
+      along%force = along%force + weight*slope*change%energy
+      along%by_overlap = along%by_overlap + weight*slope*change%force
+      along%stiffness = along%stiffness + (2*lap%dweight*slope + weight*curvature)*change%energy &
+         + weight*slope**2*change%d2energy
+   end function force_along_lap
+
+end module litz_lap_of_place

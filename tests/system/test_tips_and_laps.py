@@ -1,0 +1,62 @@
+"""Tips that lean on another wire, and short laps, as they are pressed: against half-spaces and their own work."""
+
+import numpy as np
+import pytest
+from verification.references.end_in_half_space import force_of_lap, force_of_tip
+
+from line_wires import COPPER, two_wires
+from test_contact_at_ends import HELD, from_tip, moved, solved
+
+RADIUS = COPPER.radius
+MODULUS = COPPER.young / (1 - COPPER.poisson**2) / 2
+ALONG = np.linspace((-12 * RADIUS, 0, 0), (12 * RADIUS, 0, 0), 25)
+
+
+def pressed(run, lower, upper, overlap, increments):
+    """Overlaps over the radius, forces over E* r^2, and what is in no energy over what contacts hold."""
+    deck = two_wires(lower, upper, HELD, moved(0, 0, -overlap * RADIUS, increments=increments))
+    results = solved(run(deck.replace("*END STEP", "*ENERGY PRINT\n*END STEP")))
+    forces = [results.contacts_at(i)["force"].sum() for i in range(1, len(results.times))]
+    history = results.history
+    return (
+        overlap * np.asarray(results.times[1:]),
+        np.array(forces) / (MODULUS * RADIUS**2),
+        history["ETOTAL"][1:] / history["ALLCCE"][1:],
+    )
+
+
+@pytest.mark.parametrize(("slope", "overlap"), [(0.1, 0.02), (0.03, 0.02), (0.015, 0.015)])
+def test_a_tip_has_the_force_of_a_half_space_and_holds_its_work(run, slope, overlap):
+    """Its overlap is 0.2 to 1 radius long at last, where places along the line come to carry the most of it."""
+    upper = from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, slope), n=12)
+    overlaps, forces, lost = pressed(run, ALONG, upper, overlap, 60)
+    for i in (20, 40, 59):
+        exact = force_of_tip(slope / overlaps[i] ** 0.5, cells=80) * overlaps[i] ** 1.5
+        assert forces[i] == pytest.approx(exact, rel=0.07)
+    # mean forces of the first increments are those of a straight line
+    assert np.abs(lost[20:]).max() < 0.025
+
+
+def test_a_wire_bent_over_a_lap_is_pressed_with_rising_force(run):
+    """Its ends touch first, and what lies between them closes at an overlap of 1.2 % of the radius."""
+    bend, half = 0.024 / RADIUS, RADIUS
+    x = np.arange(-half, 8.1 * RADIUS, RADIUS / 2)
+    upper = np.column_stack([x, 0 * x, 2 * RADIUS + bend / 2 * (half**2 - x**2)])
+    lower = np.linspace((-11 * RADIUS, 0, 0), (half, 0, 0), 25)
+    overlaps, forces, _ = pressed(run, lower, upper, 0.024, 48)
+    assert np.diff(forces).min() > 0
+    for i in (15, 30):
+        exact = force_of_lap(2 / overlaps[i] ** 0.5, 0.024, cells=80) * overlaps[i] ** 1.5
+        assert forces[i] == pytest.approx(exact, rel=0.08)
+
+
+def test_a_short_lap_that_slides_does_the_work_that_it_holds(run):
+    """From a lap of three radii to one of a radius: length, and far field, which the sections bound less and less."""
+    lower = np.linspace((-12 * RADIUS, 0, 0), (0, 0, 0), 25)
+    upper = np.linspace((-4 * RADIUS, 0, 2 * RADIUS), (8 * RADIUS, 0, 2 * RADIUS), 25)
+    down = -0.01 * RADIUS
+    steps = [moved(0, 0, down), moved(3 * RADIUS, 0, down, increments=60)]
+    results = solved(run(two_wires(lower, upper, HELD, *steps).replace("*END STEP", "*ENERGY PRINT\n*END STEP")))
+    energy, held = results.history["ETOTAL"], results.history["ALLCCE"]
+    assert held[-1] < 0.3 * held[1]
+    assert np.abs(energy[2:] - energy[1]).max() < 0.005 * held[1]
