@@ -24,6 +24,8 @@ module litz_spots_of_places
       real(dp) :: value = 0, derivative(n_of_cell) = 0
       !> Derivatives of a conductance by the resistivities of the wires (2) [S/(ohm m)]
       real(dp) :: by_resistivity(2) = 0
+      !> Derivative of a conductance by the logarithm of the force that makes it, at the overlap that there is [S]
+      real(dp) :: by_ln_force = 0
    end type varying_t
 
 contains
@@ -60,8 +62,10 @@ contains
       circuit%spot%semi_major = density*sum(samples%weight(:samples%n))/2
       ! an ellipse of the same area
       if (.not. law%spot%is_per_length) circuit%spot%semi_major = 4/pi*circuit%spot%semi_major
-      circuit%dconductance = density*(of_strip%derivative(2)*course%dslope + of_strip%derivative(3)*course%dbend &
-         - of_strip%derivative(1)*point%kinematics%dgap)
+      circuit%dconductance_dgap = -density*of_strip%derivative(1)
+      circuit%dconductance = density*(of_strip%derivative(2)*course%dslope + of_strip%derivative(3)*course%dbend) &
+         + circuit%dconductance_dgap*point%kinematics%dgap
+      circuit%dconductance_dln_force = circuit%follows*density*of_strip%by_ln_force
    end subroutine spot_of_cell
 
    !> The strip on the part of a cell that touches.
@@ -92,6 +96,7 @@ contains
          do i = 1, 2
             strip%by_resistivity(i) = dot_product(samples%weight(:n), at(:n)%dconductance_dresistivity(i))
          end do
+         strip%by_ln_force = dot_product(samples%weight(:n), at(:n)%dconductance_dforce*force(:n)%force)
       end associate
    end subroutine find_strip
 
@@ -171,7 +176,7 @@ contains
       call contact_spot(law%spot, lens%force, pair, point%ellipse, at_force, info)
       if (info /= spot_ok) point%law_status = law_bad_data
       spot = varying_t(at_force%conductance, at_force%dconductance_dforce*lens%dforce, &
-         at_force%dconductance_dresistivity)
+         at_force%dconductance_dresistivity, at_force%dconductance_dforce*lens%force)
    end subroutine find_round_spot
 
    !> The spot of a crossing depends on its force alone, whatever its lens.
@@ -202,6 +207,7 @@ contains
 
       part%value = spot%value*touching%value/(2*lens%half_length)
       part%by_resistivity = spot%by_resistivity*touching%value/(2*lens%half_length)
+      part%by_ln_force = spot%by_ln_force*touching%value/(2*lens%half_length)
       part%derivative = (spot%derivative*touching%value + spot%value*touching%derivative)/(2*lens%half_length) &
          - part%value/lens%half_length*lens%dhalf_length
    end function even_share
@@ -213,6 +219,7 @@ contains
 
       both%value = (1 - share%value)*first%value + share%value*second%value
       both%by_resistivity = (1 - share%value)*first%by_resistivity + share%value*second%by_resistivity
+      both%by_ln_force = (1 - share%value)*first%by_ln_force + share%value*second%by_ln_force
       both%derivative = (1 - share%value)*first%derivative + share%value*second%derivative &
          + (second%value - first%value)*share%derivative
    end function blend
