@@ -10,6 +10,8 @@ from run_of_deck import run_of_deck
 from test_strips_of_one_wire import parallel
 
 LENGTH, OVERLAP = 20e-3, 5e-7
+#: Short enough that heat leaves them evenly
+ELEMENTS = 64
 VOLTS, KELVINS, ROOM = 0.01, 1.0, 300.0
 #: Thinner than the copper, and forty times as resistive
 ALLOY = PressedWire(0.3e-3, 200e9, 0.28, 7e-7)
@@ -30,7 +32,7 @@ def entering(results, field):
 
 def unlike_wires(gap, step):
     """A copper wire and one of an alloy are pressed together; all of their nodes have what the second step prescribes."""
-    deck = pressed(OVERLAP, wires=(COPPER, ALLOY), law=HERTZ + gap)
+    deck = pressed(OVERLAP, elements=(ELEMENTS, ELEMENTS), wires=(COPPER, ALLOY), law=HERTZ + gap)
     for name, each in (("LOWER", COPPER), ("UPPER", ALLOY)):
         deck = deck.replace(
             f"*MATERIAL, NAME={name}\n",
@@ -58,7 +60,7 @@ def test_heat_passes_between_unlike_wires_as_the_current_does(run):
     per_length = pair.conductance(pair.force(OVERLAP)) * WIEDEMANN_FRANZ
     # within an element, from its nodes to where the heat leaves it: l^2/(12 lambda A) per length in either wire
     inside = sum(
-        (LENGTH / 8) ** 2 * each.resistivity / (12 * math.pi * each.radius**2 * WIEDEMANN_FRANZ)
+        (LENGTH / ELEMENTS) ** 2 * each.resistivity / (12 * math.pi * each.radius**2 * WIEDEMANN_FRANZ)
         for each in (COPPER, ALLOY)
     )
     # places have lumps of heat
@@ -66,15 +68,15 @@ def test_heat_passes_between_unlike_wires_as_the_current_does(run):
     assert entering(results, "reaction_heat") == pytest.approx(expected, rel=3e-3)
 
 
-@pytest.mark.parametrize("number", [1e-3, 0.3, 1.0, 3.0, 1e3])
+@pytest.mark.parametrize("number", [1e-3, 0.1, 0.3])
 def test_a_conductance_that_is_given_and_what_strips_add(run, number):
     """Heat passes through the middle one of three wires in a stack. Its strips are opposite each other, where each takes
-    away from the other one (ln 2 - 1/8)/(pi lambda) (10.13), but no more than what resists the heat of either."""
+    away from the other one (ln 2 - 1/8)/(pi lambda) (10.13), and nothing where the conductance is small."""
     conductivity, of_others = 400.0, (math.log(2) - 1 / 8) / (math.pi * 400.0)
     given = number / of_others
     up = 2 * COPPER.radius - OVERLAP
     places = [(0, 0), (0, up), (0, 2 * up)]
-    deck = parallel(places, [COPPER.radius] * 3, [(0, 1), (1, 2)], {0: 0.0, 2: 0.0})
+    deck = parallel(places, [COPPER.radius] * 3, [(0, 1), (1, 2)], {0: 0.0, 2: 0.0}, elements=(ELEMENTS,))
     deck = deck.replace(
         f"*ELECTRICAL CONDUCTIVITY\n {1 / COPPER.resistivity:.17g}", f"*CONDUCTIVITY\n {conductivity}"
     ).replace(spot("HERTZ, VOLTAGE=LINEAR"), f"*GAP CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n {given}\n")
@@ -82,7 +84,9 @@ def test_a_conductance_that_is_given_and_what_strips_add(run, number):
     static = "*STEP" + pressed_step[: pressed_step.index("*BOUNDARY")] + "*END STEP\n"
     heating = f"*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n W0, 11, 11, {KELVINS}\n W2, 11\n*END STEP\n"
     results = run(before + static + heating)
-    inside = (LENGTH / 8) ** 2 / (12 * conductivity * math.pi * COPPER.radius**2)
-    expected = KELVINS * LENGTH / (2 / given + 2 * min(of_others, 1 / given) + 2 * inside)
-    # places have lumps of heat, which count where the conductance is so large that little else resists
-    assert entering(results, "reaction_heat") == pytest.approx(expected, rel=3e-3)
+    strips = 2 / given + 2 * of_others
+    # within elements: from nodes to where heat leaves evenly, or nothing where it leaves at the nodes
+    inside = 2 * (LENGTH / ELEMENTS) ** 2 / (12 * conductivity * math.pi * COPPER.radius**2)
+    passed = entering(results, "reaction_heat") / (KELVINS * LENGTH)
+    # places have lumps of heat
+    assert 0.997 / (strips + inside) < passed < 1.003 / strips
