@@ -432,7 +432,6 @@ contains
       type(heated_contact_t), intent(in) :: heated
       type(wire_pair_t) :: pair
       real(dp) :: conductance(n_rows), by_place(n_motions), unused
-      integer :: side
 
       rows%place = reshape([point%kinematics%rows%dxi_bar, point%kinematics%rows%dxi], shape(rows%place))
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
@@ -445,10 +444,7 @@ contains
             conductance(n_motions + 1:) = spot_by_temperature(domain, law, point, point%dconductance_dgap, &
                point%dconductance_dln_force)
             rows%resistance = -point%dconductance/point%conductance**2
-            by_place = 0
-            do side = 1, 2
-               by_place = by_place + heated%shape(side)*pair%dresistivity(side)*pair%dtemperature(side)*rows%place(:, side)
-            end do
+            by_place = matmul(rows%place, heated%shape*pair%dresistivity*pair%dtemperature)
             if (heated%is_given) then
                rows%shape = -conductance/point%conductance
             else
