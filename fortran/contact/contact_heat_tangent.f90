@@ -137,6 +137,7 @@ contains
          warmer = mean_change(self, i, temperature)*self%elements(self%ends%place_of(:, i))%dresistivity
          voltage(i) = voltage(i) + self%potential_rise(1, i)*warmer(1) - self%potential_rise(2, i)*warmer(2)
       end do
+      voltage = voltage - sum(self%conductors%mutual%warmed_voltages(self%current(:n), temperature), 1)
       if (allocated(moved)) voltage = voltage + voltage_by_motions(self, moved)
       call self%conductors%currents(voltage, change%current(:n), rise, unused, accuracy)
    end subroutine change_currents
@@ -182,7 +183,8 @@ contains
 
       n = size(self%conductors%resistance)
       of_others = 0
-      if (n > 0) of_others(:, :n) = self%conductors%mutual%voltages_in_wires(change%current(:n))
+      if (n > 0) of_others(:, :n) = self%conductors%mutual%voltages_in_wires(change%current(:n)) &
+         + self%conductors%mutual%warmed_voltages(self%current(:n), temperature)
       allocate (change%heat(2, size(self%contacts)), change%between(2, size(self%contacts)), &
          change%base(2, size(self%contacts)), change%at_nodes(2, size(self%elements)), source=0.0_dp)
       do k = 1, size(self%elements)

@@ -230,7 +230,7 @@ module litz_contact_points
       !> voltage misses [W] (theory section 7)
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
       !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: the law of the spot knows none
-      real(dp) :: constriction = 0
+      real(dp) :: constriction(2) = 0
       !> How the conductance of the spot changes with the motions of its nodes (24) [S/m, S/rad], with the gap [S/m],
       !> and how much it would grow with ln(F) [S]
       real(dp) :: dconductance(n_motions) = 0, dconductance_dgap = 0, dconductance_dln_force = 0

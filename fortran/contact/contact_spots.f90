@@ -215,8 +215,8 @@ contains
          spot%conductance = of_strip*((1 - long)*whole(1) + long*touching(1)) + of_round*(1 - long + long*left)
          spot%dconductance_dresistivity = of_strip*((1 - long)*whole_by_resistivity + long*touching_by_resistivity) &
             + round*round_spot%dconductance_dresistivity*(1 - long + long*left)
-         circuit%dconductance = long*(of_strip*touching(2) + of_round*now%dhalf_length_dgap/made%half_length) &
-            *point%kinematics%dgap
+         circuit%dconductance_dgap = long*(of_strip*touching(2) + of_round*now%dhalf_length_dgap/made%half_length)
+         circuit%dconductance = circuit%dconductance_dgap*point%kinematics%dgap
       end associate
    end subroutine keep_what_touches
 
@@ -340,12 +340,12 @@ contains
       point%semi_major = circuit%spot%semi_major
       point%semi_minor = circuit%spot%semi_minor
       point%conductance = circuit%spot%conductance
-      if (point%conductance > 0) point%constriction = -sum(circuit%spot%dconductance_dresistivity) &
-         /(2*point%conductance**2)
+      if (point%conductance > 0) point%constriction = -circuit%spot%dconductance_dresistivity &
+         /point%conductance**2
       point%dconductance = electricity%dconductance
       associate (by_force => circuit%spot%dconductance_dforce*circuit%follows)
-         point%dconductance_dgap = by_force*dforce_dgap
-         point%dconductance_dln_force = by_force*point%force
+         point%dconductance_dgap = by_force*dforce_dgap + circuit%dconductance_dgap
+         point%dconductance_dln_force = by_force*point%force + circuit%dconductance_dln_force
       end associate
       point%current = electricity%current
       point%voltage_gap = electricity%voltage_gap

@@ -54,8 +54,8 @@ contains
 
       associate (i => strips%contacts(one, k), side => strips%sides(one, k))
          least = huge(1.0_dp)
-         if (heat%contacts(i)%heat_shape > 0) then
-            least = 2*heat%contacts(i)%heat_shape
+         if (heat%contacts(i)%heat_shape(1) > 0) then
+            least = sum(heat%contacts(i)%heat_shape)
          else if (heat%contacts(i)%is_passed) then
             least = heat%elements(heat%ends%place_of(side, i))%conductivity &
                *sum(1/heat%contacts(i)%path%conductance)

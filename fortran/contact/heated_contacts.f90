@@ -2,8 +2,8 @@
 !>
 !> A constriction has the shape `c` [1/m]: in a metal of resistivity rho its resistance is `c rho`, in one of heat
 !> conductivity lambda it conducts the heat `lambda/c`, or `L/(c rho)` as a Wiedemann-Franz metal. It is that of the
-!> spot of the current, `c = -(dG/drho)/G^2`, or where there is none that of elastic wires. rho and lambda are those at
-!> the temperatures of the wires at the contact.
+!> spot of the current, `c = -(dG/drho)/G^2`, or where there is none that of elastic wires; a strip along wires of
+!> unlike radii has another one in either. rho and lambda are those at the temperatures of the wires at the contact.
 !> Source: theory sections 6 and 13.
 module litz_heated_contacts
    use litz_kinds, only: dp, pi
@@ -52,7 +52,7 @@ module litz_heated_contacts
       real(dp) :: series(2) = 0, heat_series(2) = 0
       !> Of the constrictions for the current [1/m], of a resistance that is given this follows from the resistivities;
       !> and for the heat [1/m], 0: its conductance is given
-      real(dp) :: shape = 0, heat_shape = 0
+      real(dp) :: shape(2) = 0, heat_shape(2) = 0
       logical :: is_given = .false.
       !> Resistivities [ohm m] and of the constrictions resistances [ohm] at the temperatures that are linear between
       !> the nodes; and the former change with the temperatures
@@ -174,10 +174,10 @@ contains
             return
          end if
          heated%heat_shape = heated%shape
-         if (.not. heated%conductance > 0) heated%heat_shape = elastic_shape(domain, law, point, pair)
+         if (.not. heated%conductance > 0) heated%heat_shape = elastic_shape(domain, law, point, pair, heated)
          heated%is_metal = law%heat%number == heat_metal_law .and. heated%conductance > 0
          heated%lorenz = law%heat%lorenz
-         heated%is_hot = law%supertemperature .and. heated%shape > 0 .and. .not. heated%is_given
+         heated%is_hot = law%supertemperature .and. heated%shape(1) > 0 .and. .not. heated%is_given
          if (heated%is_hot) heated%constrictions = constrictions_t(heated%shape, heated%film_resistance, &
             is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
          do side = 1, 2
@@ -229,7 +229,7 @@ contains
       heated%follows = abs(pair%dresistivity) > 0
       if (.not. point%conductance > 0) return
       heated%shape = point%constriction
-      heated%is_given = .not. heated%shape > 0
+      heated%is_given = .not. heated%shape(1) > 0
       if (heated%is_given) heated%shape = 1/(point%conductance*sum(pair%resistivity))
       heated%linear_resistance = heated%shape*pair%resistivity
       heated%film_resistance = max(0.0_dp, 1/point%conductance - sum(heated%linear_resistance))
@@ -242,8 +242,7 @@ contains
       type(spot_metal_t), intent(in) :: metals(:)
       !> Barred, unbarred (2), and absolute zero on their scale [K]
       real(dp), intent(in) :: temperature(2), absolute_zero
-      real(dp), dimension(2) :: rho, drho, lambda, dlambda, dshape
-      real(dp) :: shape
+      real(dp), dimension(2) :: rho, drho, lambda, dlambda, shape, dshape
       integer :: i
 
       if (.not. self%is_passed) return
@@ -265,11 +264,11 @@ contains
          self%resistance = shape*rho
          do i = 1, 2
             self%dresistance(i, :) = self%resistance(i)*dshape
-            self%dresistance(i, i) = self%dresistance(i, i) + shape*drho(i)
+            self%dresistance(i, i) = self%dresistance(i, i) + shape(i)*drho(i)
          end do
          self%dseries = merge([0.0_dp, 0.0_dp], sum(self%dresistance, 1), self%is_given)
       end if
-      if (.not. self%heat_shape > 0) return
+      if (.not. self%heat_shape(1) > 0) return
       if (self%is_given) self%heat_shape = shape
       self%path = spot_path_t(is_metal=.false., conductance=lambda/self%heat_shape)
       self%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) - spread(dshape, 1, 2)
@@ -348,26 +347,33 @@ contains
       end do
    end subroutine follow_wiedemann_franz
 
-   !> c of the spot of elastic wires without a current: that of unit resistivities has 2 c [1/m].
-   real(dp) function elastic_shape(domain, law, point, pair, row) result(shape)
+   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities [1/m].
+   function elastic_shape(domain, law, point, pair, heated, row) result(shape)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
       type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(in) :: heated
       !> How -ln(c) changes with motions and temperatures (n_rows)
       real(dp), intent(out), optional :: row(:)
+      real(dp) :: shape(2)
       type(interaction_t) :: elastic
-      type(wire_pair_t) :: unit_pair
-      real(dp) :: conductance
+      type(wire_pair_t) :: thermal_pair
+      real(dp) :: conductance, conductivity, slope
+      integer :: side
 
       elastic = law
       elastic%spot = spot_law('HERTZ')
       elastic%spot_memory = .false.
-      unit_pair = pair
-      unit_pair%resistivity = 1
-      unit_pair%dresistivity = 0
-      conductance = spot_conductance(domain, elastic, point, unit_pair, row)
-      shape = 1/(2*conductance)
+      thermal_pair = pair
+      do side = 1, 2
+         call conductivity_of(domain, heated%element(side), domain%mean_temperature(heated%element(side)), &
+            conductivity, slope)
+         thermal_pair%resistivity(side) = 1/conductivity
+      end do
+      thermal_pair%dresistivity = 0
+      conductance = spot_conductance(domain, elastic, point, thermal_pair, row, shape)
+      shape = -shape/conductance**2
       if (present(row)) row = row/conductance
    end function elastic_shape
 
@@ -388,13 +394,13 @@ contains
       if (present(row)) row = row/conductance
    end function given_conductance
 
-   real(dp) function spot_conductance(domain, law, point, pair, row) result(conductance)
+   real(dp) function spot_conductance(domain, law, point, pair, row, by_resistivity) result(conductance)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
       type(wire_pair_t), intent(in) :: pair
-      !> How it changes with motions and temperatures (n_rows)
-      real(dp), intent(out), optional :: row(:)
+      !> How it changes with motions and temperatures (n_rows), and with the resistivities of the pair (2)
+      real(dp), intent(out), optional :: row(:), by_resistivity(2)
       type(contact_point_t) :: looked_at
       type(spot_in_circuit_t) :: circuit
       real(dp) :: x(3, 4), t(3, 4), length(2)
@@ -406,13 +412,14 @@ contains
          domain%iterate%x, domain%iterate%rotation, x, t, length)
       call find_spot(domain%model, domain%elements, law, domain%wires, pair, x, t, length, looked_at, circuit)
       conductance = circuit%spot%conductance
+      if (present(by_resistivity)) by_resistivity = circuit%spot%dconductance_dresistivity
       if (.not. present(row)) return
       associate (spot => circuit%spot, by_force => circuit%spot%dconductance_dforce*circuit%follows)
          associate (followed => law_of_spot(law%normal, looked_at))
             row(:n_motions) = conductance_row(point%kinematics, by_force*followed%dforce_dgap, &
                spot%dconductance_dangle + by_force*followed%dforce_dangle, circuit%dconductance)
-            row(n_motions + 1:) = spot_by_temperature(domain, law, point, by_force*followed%dforce_dgap, &
-               by_force*point%force)
+            row(n_motions + 1:) = spot_by_temperature(domain, law, point, by_force*followed%dforce_dgap &
+               + circuit%dconductance_dgap, by_force*point%force + circuit%dconductance_dln_force)
          end associate
       end associate
    end function spot_conductance
@@ -425,7 +432,6 @@ contains
       type(heated_contact_t), intent(in) :: heated
       type(wire_pair_t) :: pair
       real(dp) :: conductance(n_rows), by_place(n_motions), unused
-      integer :: side
 
       rows%place = reshape([point%kinematics%rows%dxi_bar, point%kinematics%rows%dxi], shape(rows%place))
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
@@ -438,11 +444,10 @@ contains
             conductance(n_motions + 1:) = spot_by_temperature(domain, law, point, point%dconductance_dgap, &
                point%dconductance_dln_force)
             rows%resistance = -point%dconductance/point%conductance**2
-            by_place = 0
-            do side = 1, 2
-               by_place = by_place + heated%shape*pair%dresistivity(side)*pair%dtemperature(side)*rows%place(:, side)
-            end do
-            if (.not. heated%is_given) then
+            by_place = matmul(rows%place, heated%shape*pair%dresistivity*pair%dtemperature)
+            if (heated%is_given) then
+               rows%shape = -conductance/point%conductance
+            else
                rows%shape = -conductance/point%conductance**2
                rows%shape(:n_motions) = rows%shape(:n_motions) - by_place
                rows%shape = rows%shape/(sum(heated%linear_resistance) + 2*heated%film_resistance)
@@ -453,7 +458,7 @@ contains
          else if (point%conductance > 0) then
             rows%heat_conductance = -rows%shape
          else
-            unused = elastic_shape(domain, law, point, pair, rows%heat_conductance)
+            unused = sum(elastic_shape(domain, law, point, pair, heated, rows%heat_conductance))
          end if
       end associate
    end function contact_rows

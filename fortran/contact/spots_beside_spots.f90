@@ -75,7 +75,7 @@ contains
             call add_pairs_beyond(spots(k))
          end do
          if (pass == 1) allocate (mutual%contacts(2, n), mutual%sides(2, n), mutual%resistance(n), &
-            mutual%shape(n))
+            mutual%shape(n), mutual%nodes(4, n), mutual%by_temperature(4, n))
       end do
       mutual%is_spot = spread(.true., 1, n)
 
@@ -149,8 +149,9 @@ contains
          if (pass == 1) return
          mutual%contacts(:, n) = [a%contact, b%contact]
          mutual%sides(:, n) = [a%side, b%side]
+         mutual%nodes(:, n) = [model%connectivity(:, a%element), model%connectivity(:, b%element)]
          call find_resistance(model, wires, elements, a, b, contacts%resistance([a%contact, b%contact]), &
-            mutual%resistance(n), mutual%shape(n))
+            mutual%resistance(n), mutual%shape(n), mutual%by_temperature(:, n))
       end subroutine add_pair
 
    end subroutine collect_spots
@@ -183,7 +184,7 @@ contains
 
    !> What a current through one spot adds to the voltage of the other one [ohm]; half of that by which its own image
    !> adds to its own, which counts from both sides.
-   pure subroutine find_resistance(model, wires, elements, a, b, alone, resistance, shape)
+   pure subroutine find_resistance(model, wires, elements, a, b, alone, resistance, shape, by_temperature)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -192,8 +193,10 @@ contains
       real(dp), intent(in) :: alone(2)
       !> [ohm], and over resistivity and current that enters [1/m]
       real(dp), intent(out) :: resistance, shape
+      !> How the former changes with the temperatures of the nodes of both elements (4) [ohm/K]
+      real(dp), intent(out) :: by_temperature(4)
       type(material_place_t) :: here, there
-      real(dp) :: radius, resistivity, cosine, least, potential, image(2)
+      real(dp) :: radius, resistivity, cosine, least, potential, image(2), part
       integer :: k
 
       here = material_at(model, elements, a%element, a%xi)
@@ -212,9 +215,14 @@ contains
       end do
       if (a%contact == b%contact) potential = potential/2
       ! a resistance that is given may be below that of any spot on such a wire: (R + A) stays positive definite
-      shape = potential/radius*min(1.0_dp, sqrt(product(alone))*radius/resistivity)
+      part = min(1.0_dp, sqrt(product(alone))*radius/resistivity)
+      shape = potential/radius*part
       ! the current leaves the barred wire and enters the unbarred one
       resistance = real((2*a%side - 3)*(2*b%side - 3), dp)*resistivity*shape
+      by_temperature = 0
+      if (part < 1) return
+      by_temperature = resistance/resistivity/4*[here%dresistivity*[1 - a%xi, 1 + a%xi], &
+         there%dresistivity*[1 - b%xi, 1 + b%xi]]
    end subroutine find_resistance
 
    !> Cosine of the angle round the wire between two spots. Along a bend a direction turns with the axis: on an arc of a

@@ -25,6 +25,8 @@ module litz_spots_of_places
       real(dp) :: value = 0, derivative(n_of_cell) = 0
       !> Derivatives of a conductance by the resistivities of the wires (2) [S/(ohm m)]
       real(dp) :: by_resistivity(2) = 0
+      !> Derivative of a conductance by the logarithm of the force that makes it, at the overlap that there is [S]
+      real(dp) :: by_ln_force = 0
    end type varying_t
 
 contains
@@ -61,8 +63,10 @@ contains
       circuit%spot%semi_major = density*sum(samples%weight(:samples%n))/2
       ! an ellipse of the same area
       if (.not. law%spot%is_per_length) circuit%spot%semi_major = 4/pi*circuit%spot%semi_major
-      circuit%dconductance = density*(of_strip%derivative(2)*course%dslope + of_strip%derivative(3)*course%dbend &
-         - of_strip%derivative(1)*point%kinematics%dgap)
+      circuit%dconductance_dgap = -density*of_strip%derivative(1)
+      circuit%dconductance = density*(of_strip%derivative(2)*course%dslope + of_strip%derivative(3)*course%dbend) &
+         + circuit%dconductance_dgap*point%kinematics%dgap
+      circuit%dconductance_dln_force = circuit%follows*density*of_strip%by_ln_force
       if (point%lap%round_end%hertz > 0 .and. point%gap < 0) call add_round_end(law, pair, deeper, point, circuit)
    end subroutine spot_of_cell
 
@@ -77,24 +81,25 @@ contains
       type(spot_in_circuit_t), intent(inout) :: circuit
       type(end_force_t) :: at
       type(contact_spot_t) :: whole
-      real(dp) :: overlap, by_overlap
+      real(dp) :: overlap, force, by_overlap, by_ln_force
       integer :: info
 
       if (law%spot%is_per_length) return
       overlap = deeper - point%gap
       associate (round => point%lap%round_end)
          at = force_of_end(round, overlap)
-         call contact_spot(law%spot, round%hertz*overlap**1.5_dp, pair, ellipse_of_end(pair, point%kinematics%angle), &
-            whole, info)
-         if (info /= spot_ok) point%law_status = law_bad_data
-         by_overlap = 0
-         if (circuit%follows > 0) by_overlap = at%part*whole%dconductance_dforce*1.5_dp*round%hertz*sqrt(overlap) &
-            + at%dpart*whole%conductance
+         force = round%hertz*overlap**1.5_dp
+         call contact_spot(law%spot, force, pair, ellipse_of_end(pair, point%kinematics%angle), whole, info)
       end associate
+      if (info /= spot_ok) point%law_status = law_bad_data
+      by_ln_force = circuit%follows*at%part*whole%dconductance_dforce*force
+      by_overlap = 1.5_dp*by_ln_force/overlap + circuit%follows*at%dpart*whole%conductance
       circuit%spot%conductance = circuit%spot%conductance + at%part*whole%conductance
       circuit%spot%dconductance_dresistivity = circuit%spot%dconductance_dresistivity &
          + at%part*whole%dconductance_dresistivity
       circuit%dconductance = circuit%dconductance - by_overlap*point%kinematics%dgap
+      circuit%dconductance_dgap = circuit%dconductance_dgap - by_overlap
+      circuit%dconductance_dln_force = circuit%dconductance_dln_force + by_ln_force
    end subroutine add_round_end
 
    !> The strip on the part of a cell that touches.
@@ -125,6 +130,7 @@ contains
          do i = 1, 2
             strip%by_resistivity(i) = dot_product(samples%weight(:n), at(:n)%dconductance_dresistivity(i))
          end do
+         strip%by_ln_force = dot_product(samples%weight(:n), at(:n)%dconductance_dforce*force(:n)%force)
       end associate
    end subroutine find_strip
 
@@ -204,7 +210,7 @@ contains
       call contact_spot(law%spot, lens%force, pair, point%ellipse, at_force, info)
       if (info /= spot_ok) point%law_status = law_bad_data
       spot = varying_t(at_force%conductance, at_force%dconductance_dforce*lens%dforce, &
-         at_force%dconductance_dresistivity)
+         at_force%dconductance_dresistivity, at_force%dconductance_dforce*lens%force)
    end subroutine find_round_spot
 
    !> The spot of a crossing depends on its force alone, whatever its lens.
@@ -235,6 +241,7 @@ contains
 
       part%value = spot%value*touching%value/(2*lens%half_length)
       part%by_resistivity = spot%by_resistivity*touching%value/(2*lens%half_length)
+      part%by_ln_force = spot%by_ln_force*touching%value/(2*lens%half_length)
       part%derivative = (spot%derivative*touching%value + spot%value*touching%derivative)/(2*lens%half_length) &
          - part%value/lens%half_length*lens%dhalf_length
    end function even_share
@@ -246,6 +253,7 @@ contains
 
       both%value = (1 - share%value)*first%value + share%value*second%value
       both%by_resistivity = (1 - share%value)*first%by_resistivity + share%value*second%by_resistivity
+      both%by_ln_force = (1 - share%value)*first%by_ln_force + share%value*second%by_ln_force
       both%derivative = (1 - share%value)*first%derivative + share%value*second%derivative &
          + (second%value - first%value)*share%derivative
    end function blend

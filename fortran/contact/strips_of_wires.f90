@@ -69,7 +69,7 @@ contains
             end do
          end do
          if (pass == 1) allocate (strips%contacts(2, n), strips%sides(2, n), strips%resistance(n), &
-            strips%shape(n))
+            strips%shape(n), strips%nodes(4, n), strips%by_temperature(4, n))
       end do
       strips%is_spot = spread(.false., 1, n)
 
@@ -123,7 +123,12 @@ contains
          strips%sides(:, n) = [a%side, b%side]
          strips%shape(n) = a%share*b%share/places%length(place)/pi*(0.125_dp - log(max(apart, least_distance)))
          ! the current leaves the barred wire and enters the unbarred one
-         strips%resistance(n) = (2*a%side - 3)*(2*b%side - 3)*there%resistivity*strips%shape(n)
+         associate (shape => (2*a%side - 3)*(2*b%side - 3)*strips%shape(n), xi => places%xi(place))
+            strips%resistance(n) = shape*there%resistivity
+            strips%nodes(:, n) = [model%connectivity(:, places%element(place)), &
+               model%connectivity(:, places%element(place))]
+            strips%by_temperature(:, n) = shape*there%dresistivity*[1 - xi, 1 + xi, 0.0_dp, 0.0_dp]/2
+         end associate
       end subroutine add_pair
 
    end subroutine collect_strips

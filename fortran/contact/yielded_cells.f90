@@ -73,8 +73,9 @@ contains
       circuit%spot%semi_minor = strips%half_width
       ! an ellipse of the same area
       circuit%spot%semi_major = 4/pi*density*strips%length/2
-      circuit%dconductance = density*(strips%by_course(1)*course%dslope + strips%by_course(2)*course%dbend &
-         - by_overlap*point%kinematics%dgap)
+      circuit%dconductance_dgap = -density*by_overlap
+      circuit%dconductance = density*(strips%by_course(1)*course%dslope + strips%by_course(2)*course%dbend) &
+         + circuit%dconductance_dgap*point%kinematics%dgap
    end subroutine find_yielded_cell
 
    !> The strips on the part of a cell that touches. Beside its place the wires have been as much deeper as there.
@@ -199,8 +200,8 @@ contains
       near = whole_spot(law, pair, lens, -point%gap + change/2)
       far = whole_spot(law, pair, lens, -point%gap + change)
       associate (spot => circuit%spot, weight => weight_of_lens(point))
-         circuit%dconductance = -weight*one_sided([spot%conductance, near%conductance, far%conductance])/change &
-            *point%kinematics%dgap
+         circuit%dconductance_dgap = -weight*one_sided([spot%conductance, near%conductance, far%conductance])/change
+         circuit%dconductance = circuit%dconductance_dgap*point%kinematics%dgap
          spot%conductance = weight*spot%conductance
          spot%dconductance_dresistivity = weight*spot%dconductance_dresistivity
       end associate

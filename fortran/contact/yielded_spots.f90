@@ -32,7 +32,8 @@ contains
       if (.not. point%yielding%area > 0) return
       circuit%spot = spot_of_state(law%spot, pair%resistivity, point%yielding, point%ellipse%ratio)
       associate (spot => circuit%spot)
-         circuit%dconductance = -point%weight*spot%dconductance_dforce*point%kinematics%dgap
+         circuit%dconductance_dgap = -point%weight*spot%dconductance_dforce
+         circuit%dconductance = circuit%dconductance_dgap*point%kinematics%dgap
          spot%conductance = point%weight*spot%conductance
          spot%dconductance_dresistivity = point%weight*spot%dconductance_dresistivity
          spot%dconductance_dforce = 0

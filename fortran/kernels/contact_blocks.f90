@@ -37,6 +37,9 @@ module litz_contact_blocks
       !> How the conductance changes with the 24 mechanical unknowns, not by force and angle: by what touches of a part
       !> of a line, as the contact slides next to an end [S/m, S/rad]
       real(dp) :: dconductance(24) = 0
+      !> What of this goes with the gap [S/m], as it does where wires swell; and how the conductance changes with the
+      !> logarithm of the force per length where nothing moves [S]
+      real(dp) :: dconductance_dgap = 0, dconductance_dln_force = 0
    end type spot_in_circuit_t
 
 contains

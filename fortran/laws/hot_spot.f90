@@ -1,6 +1,6 @@
 !> Current, heat and temperatures of a contact spot whose constrictions are warmed, and resist more, by the current.
 !>
-!> Both constrictions have the shape `c` [1/m], in series with a film. Of the voltage V the constriction in wire i has
+!> The constrictions have the shapes `c_i` [1/m], in series with a film. Of the voltage V the constriction in wire i has
 !> the part `w_i`, the film `w_f`; G is the conductance of all, and `mu G` the heat that flows through the film towards
 !> wire 1. Over the part x of its voltage, from the bulk, with `Theta` of litz_spot_metal,
 !>
@@ -49,7 +49,7 @@ module litz_hot_spot
    !> The way of the current.
    type :: constrictions_t
       !> c [1/m], on either side
-      real(dp) :: shape = 0
+      real(dp) :: shape(2) = 0
       !> Of the film: resistance [ohm] and resistance to heat [K/W]
       real(dp) :: film_resistance = 0, film = 0
       !> Wiedemann-Franz metals, their Lorenz number [V^2/K^2], 0: that of their tables at the bulk; and absolute zero
@@ -100,7 +100,7 @@ contains
       logical :: solved
 
       info = hot_bad_data
-      if (.not. (way%shape > 0 .and. way%film_resistance >= 0 .and. way%film >= 0)) return
+      if (.not. (all(way%shape > 0) .and. way%film_resistance >= 0 .and. way%film >= 0)) return
       if (way%is_metal .and. .not. all(temperature > way%zero)) return
       call start(way, metals, temperature, voltage**2, side, unknown, cold, solved)
       if (.not. solved) return
@@ -159,7 +159,7 @@ contains
          end if
          kappa = side%lorenz*side%bulk
       end if
-      cold = 1/(way%shape*sum(rho) + way%film_resistance)
+      cold = 1/(sum(way%shape*rho) + way%film_resistance)
       of_film = way%film_resistance*cold
       share = way%shape*rho*cold
       unknown(:2) = [share(1), 1.0_dp]
@@ -299,13 +299,13 @@ contains
       type(side_t), intent(in) :: side(2)
       !> (n_unknowns) and (n_unknowns, n_all)
       real(dp), intent(out) :: left(n_unknowns), slope(n_unknowns, n_all)
-      real(dp) :: of_shape
+      real(dp) :: of_shape(2)
       integer :: i
 
       of_shape = 1/(way%shape*cold)
       do i = 1, 2
-         left(i) = of_shape*side(i)%share*side(i)%sigma - unknown(2)
-         slope(i, :) = of_shape*(side(i)%sigma*side(i)%dby(1, :) + side(i)%share*matmul(side(i)%dsigma, side(i)%dby))
+         left(i) = of_shape(i)*side(i)%share*side(i)%sigma - unknown(2)
+         slope(i, :) = of_shape(i)*(side(i)%sigma*side(i)%dby(1, :) + side(i)%share*matmul(side(i)%dsigma, side(i)%dby))
          slope(i, 2) = slope(i, 2) - 1
       end do
       left(3) = side(1)%bulk - side(2)%bulk + side(1)%face - side(2)%face + way%film*cold*unknown(2)*unknown(3)

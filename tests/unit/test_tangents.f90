@@ -609,6 +609,12 @@ contains
       call check_coupled('coupled, heat alone', 'B33', hertz//'*GAP CONDUCTANCE, LAW=CONDUCTIVITY'//nl, exact)
       call check_coupled('coupled, friction that slips', 'B33', hertz//spot//'*FRICTION'//nl//'1e-4'//nl, exact)
       call check_shared('coupled, contacts on one element', spot)
+      ! how swelling moves places along the wires is left out, of the order of a thermal strain
+      call check_strips('coupled, a line', spot, 'B, C', 1.0e-5_dp)
+      call check_strips('coupled, a line of a given conductance', '*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, '// &
+         'PER=LENGTH'//nl//'1e-7'//nl, 'B, C', 1.0e-5_dp)
+      ! how motions change what strips beside each other do to each other is left out
+      call check_strips('coupled, strips beside each other', spot, 'A, C', 1.0e-4_dp)
       ! how the conductivity changes what the film takes of the heat of contacts is left out
       expansion = '*CONDUCTIVITY'//nl//'400'//nl//'*EXPANSION, ZERO=250'//nl//'17e-6, 100'//nl//'25e-6, 900'//nl
       call check_shared('coupled, contacts on one element in a film', spot, loads='*FILM'//nl//'A, F, 290, 2e4'//nl// &
@@ -763,6 +769,36 @@ contains
          call compare(name, problem, tolerance, 0.1_dp, warmer=1.0_dp)
       end do
    end subroutine check_coupled
+
+   !> A wire that another one touches along a line, or two of them do.
+   subroutine check_strips(name, laws, second, tolerance)
+      !> `second` is the data line of another contact pair
+      character(len=*), intent(in) :: name, laws, second
+      !> Of the largest force that changes
+      real(dp), intent(in) :: tolerance
+      character(len=*), parameter :: upper = '*NODE, NSET=ALL'//nl//'11, -0.010, 0, 1.8e-3'//nl// &
+         '12, -0.003, 0, 1.8e-3'//nl//'13, 0.005, 0, 1.8e-3'//nl//'14, 0.011, 0, 1.8e-3'//nl
+      character(len=*), parameter :: aside = '21, -0.011, 1.6e-3, -7e-4'//nl//'22, -0.002, 1.6e-3, -7e-4'//nl// &
+         '23, 0.010, 1.6e-3, -7e-4'//nl
+      character(len=*), parameter :: heating = '1, 11, 11, 305'//nl//'4, 11, 11, 302'//nl//'14, 11, 11, 301'//nl// &
+         '21, 11, 11, 303'//nl//'14, 9, 9, 0.02'//nl//'21, 9, 9, -0.03'//nl
+      type(problem_t) :: problem
+      integer :: trial
+
+      call start_random_numbers()
+      call solve_first_step(coupled('*NODE, NSET=ALL'//nl//'1, -0.012, 0, 0'//nl//'2, -0.004, 0, 0'//nl// &
+         '3, 0.004, 0, 0'//nl//'4, 0.012, 0, 0'//nl//upper//aside//'*ELEMENT, TYPE=B33, ELSET=C'//nl//'21, 21, 22'// &
+         nl//'22, 22, 23'//nl//'*BEAM SECTION, ELSET=C, MATERIAL=M, SECTION=CIRC'//nl//'0.74642e-3'//nl// &
+         elements_and_contact('B33', 'B33', '', hertz//laws, 'A, B')//'*CONTACT PAIR, INTERACTION=T'//nl//second//nl// &
+         '*INITIAL CONDITIONS, TYPE=TEMPERATURE'//nl//'ALL, 300'//nl//'*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0'//nl// &
+         '*BOUNDARY'//nl//'1, 1, 6'//nl//'4, 1, 6'//nl//'21, 1, 6'//nl//'23, 1, 6'//nl//step_of(-4.0e-6_dp, '')// &
+         step_of(-5.0e-6_dp, '*BOUNDARY'//nl//heating)), problem)
+      problem%coupled_step = .true.
+      do trial = 1, 3
+         call compare(name, problem, tolerance, 0.02_dp, warmer=1.0_dp)
+         call check(count(problem%contact%line_points%closed) > 1, name//': points of a line in contact', 0.0_dp)
+      end do
+   end subroutine check_strips
 
    !> Wires that rub against each other in a step over time: what backward Euler gives them, and what BDF2 does. No
    !> current flows, and the metal conducts and stores next to no heat, so that this is most of what changes.

@@ -1,0 +1,92 @@
+"""Current and heat between wires that lie side by side, of unlike metals and radii, and with conductances that are given."""
+
+import math
+
+import pytest
+from verification.references.parallel_wires import ParallelWires, PressedWire
+
+from line_wires import COPPER, HERTZ, pressed, spot
+from run_of_deck import run_of_deck
+from test_strips_of_one_wire import parallel
+
+LENGTH, OVERLAP = 20e-3, 5e-7
+#: Short enough that heat leaves them evenly
+ELEMENTS = 64
+VOLTS, KELVINS, ROOM = 0.01, 1.0, 300.0
+#: Thinner than the copper, and forty times as resistive
+ALLOY = PressedWire(0.3e-3, 200e9, 0.28, 7e-7)
+#: Lorenz number times temperature: conductivities of both wires are in this ratio to heat conductivities
+WIEDEMANN_FRANZ = 7e-6
+
+
+@pytest.fixture
+def run(litz, tmp_path):
+    return run_of_deck(litz, tmp_path, str)
+
+
+def entering(results, field):
+    """What enters at the supports from which it comes, at the end."""
+    values = results.field(field, len(results.times) - 1)
+    return values[values > 0].sum()
+
+
+def unlike_wires(gap, step):
+    """A copper wire and one of an alloy are pressed together; all of their nodes have what the second step prescribes."""
+    deck = pressed(OVERLAP, elements=(ELEMENTS, ELEMENTS), wires=(COPPER, ALLOY), law=HERTZ + gap)
+    for name, each in (("LOWER", COPPER), ("UPPER", ALLOY)):
+        deck = deck.replace(
+            f"*MATERIAL, NAME={name}\n",
+            f"*MATERIAL, NAME={name}\n*CONDUCTIVITY\n {WIEDEMANN_FRANZ / each.resistivity}\n",
+        )
+    start = f"*INITIAL CONDITIONS, TYPE=TEMPERATURE\n LOWER, {ROOM}\n UPPER, {ROOM}\n"
+    held = "*BOUNDARY\n LOWER, 9\n UPPER, 9\n"
+    deck = deck.replace("*STEP", start + held + "*STEP", 1)
+    return deck + f"*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n 1, 1\n*BOUNDARY\n{step}*END STEP\n"
+
+
+def test_unlike_wires_make_the_heat_of_their_power(run):
+    """A strip along unlike wires has constrictions of unlike shapes, whose heat is that of the current and no more."""
+    step = f" LOWER, 11, 11, {ROOM}\n UPPER, 11, 11, {ROOM}\n UPPER, 9, 9, {VOLTS}\n"
+    results = run(unlike_wires(spot("HERTZ"), step))
+    leaving = -results.field("reaction_heat", len(results.times) - 1).sum()
+    assert leaving == pytest.approx(VOLTS * entering(results, "reaction_current"), rel=1e-9)
+
+
+def test_heat_passes_between_unlike_wires_as_the_current_does(run):
+    """Where no current flows, the strip is that of the heat conductivities: 1/g' with 1/lambda in place of rho."""
+    step = f" LOWER, 11, 11, {ROOM}\n UPPER, 11, 11, {ROOM + KELVINS}\n"
+    results = run(unlike_wires("*GAP CONDUCTANCE, LAW=CONDUCTIVITY\n", step))
+    pair = ParallelWires(COPPER, ALLOY)
+    per_length = pair.conductance(pair.force(OVERLAP)) * WIEDEMANN_FRANZ
+    # within an element, from its nodes to where the heat leaves it: l^2/(12 lambda A) per length in either wire
+    inside = sum(
+        (LENGTH / ELEMENTS) ** 2 * each.resistivity / (12 * math.pi * each.radius**2 * WIEDEMANN_FRANZ)
+        for each in (COPPER, ALLOY)
+    )
+    # places have lumps of heat
+    expected = KELVINS * LENGTH / (1 / per_length + inside)
+    assert entering(results, "reaction_heat") == pytest.approx(expected, rel=3e-3)
+
+
+@pytest.mark.parametrize("number", [1e-3, 0.1, 0.3])
+def test_a_conductance_that_is_given_and_what_strips_add(run, number):
+    """Heat passes through the middle one of three wires in a stack. Its strips are opposite each other, where each takes
+    away from the other one (ln 2 - 1/8)/(pi lambda) (10.13), and nothing where the conductance is small."""
+    conductivity, of_others = 400.0, (math.log(2) - 1 / 8) / (math.pi * 400.0)
+    given = number / of_others
+    up = 2 * COPPER.radius - OVERLAP
+    places = [(0, 0), (0, up), (0, 2 * up)]
+    deck = parallel(places, [COPPER.radius] * 3, [(0, 1), (1, 2)], {0: 0.0, 2: 0.0}, elements=(ELEMENTS,))
+    deck = deck.replace(
+        f"*ELECTRICAL CONDUCTIVITY\n {1 / COPPER.resistivity:.17g}", f"*CONDUCTIVITY\n {conductivity}"
+    ).replace(spot("HERTZ, VOLTAGE=LINEAR"), f"*GAP CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n {given}\n")
+    before, pressed_step = deck.split("*STEP")
+    static = "*STEP" + pressed_step[: pressed_step.index("*BOUNDARY")] + "*END STEP\n"
+    heating = f"*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n W0, 11, 11, {KELVINS}\n W2, 11\n*END STEP\n"
+    results = run(before + static + heating)
+    strips = 2 / given + 2 * of_others
+    # within elements: from nodes to where heat leaves evenly, or nothing where it leaves at the nodes
+    inside = 2 * (LENGTH / ELEMENTS) ** 2 / (12 * conductivity * math.pi * COPPER.radius**2)
+    passed = entering(results, "reaction_heat") / (KELVINS * LENGTH)
+    # places have lumps of heat
+    assert 0.997 / (strips + inside) < passed < 1.003 / strips
