@@ -14,7 +14,8 @@ module litz_cut_forces
    private
    public :: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
 
-   !> An end cuts a spot as one narrower by this, squared: what is beside it takes over (from half-spaces, see the theory)
+   !> An end cuts a spot as one narrower by this, squared: what is beside it takes over (from half-spaces, see the
+   !> theory)
    real(dp), parameter :: narrower = 0.5_dp
    !> Energy over force and overlap of Hertz
    real(dp), parameter :: energy_of_hertz = 0.4_dp

@@ -82,7 +82,9 @@ def test_a_conductance_that_is_given_and_what_strips_add(run, number):
     ).replace(spot("HERTZ, VOLTAGE=LINEAR"), f"*GAP CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n {given}\n")
     before, pressed_step = deck.split("*STEP")
     static = "*STEP" + pressed_step[: pressed_step.index("*BOUNDARY")] + "*END STEP\n"
-    heating = f"*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n W0, 11, 11, {KELVINS}\n W2, 11\n*END STEP\n"
+    heating = (
+        f"*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n W0, 11, 11, {KELVINS}\n W2, 11\n*END STEP\n"
+    )
     results = run(before + static + heating)
     strips = 2 / given + 2 * of_others
     # within elements: from nodes to where heat leaves evenly, or nothing where it leaves at the nodes

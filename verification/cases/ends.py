@@ -112,7 +112,9 @@ def draw(values, path):
         force.set(xlabel="angle of the wire that ends [degrees]", ylabel="force [N]", ylim=(0, None))
         force.legend()
         lap.plot([1e3 * length for length in LAPS[1:]], values["ends.lap"], "o")
-        lap.set(xlabel="length of the lap [mm]", ylabel="force of what is added, over that of a line", ylim=(0.99, 1.01))
+        lap.set(
+            xlabel="length of the lap [mm]", ylabel="force of what is added, over that of a line", ylim=(0.99, 1.01)
+        )
 
 
 if __name__ == "__main__":
