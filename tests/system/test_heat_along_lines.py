@@ -109,7 +109,9 @@ def test_a_conductance_that_is_given_and_what_strips_add(run, field, number, ele
     results = run(given_along(deck, given) if field == "heat" else as_resistances(deck, given))
     strips = 2 / given + 2 * min(of_others, MOST / given)
     # within elements: from nodes to where heat leaves evenly, or nothing where it leaves at the nodes
-    inside = sum((LENGTH / n) ** 2 for n in (elements[0], elements[-1])) / (12 * conductivity * math.pi * COPPER.radius**2)
+    inside = sum((LENGTH / n) ** 2 for n in (elements[0], elements[-1])) / (
+        12 * conductivity * math.pi * COPPER.radius**2
+    )
     passed = entering(results, "reaction_heat" if field == "heat" else "reaction_current") / (KELVINS * LENGTH)
     # places have lumps of heat
     assert 0.997 / (strips + inside) < passed < 1.003 / strips
