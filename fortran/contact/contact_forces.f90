@@ -10,7 +10,7 @@ module litz_contact_forces
    use litz_contact_spots, only: find_spot, keep_current
    use litz_contact_points, only: contact_set_t, contact_point_t, pair_geometry, clearance_of
    use litz_domain, only: domain_t
-   use litz_element_library, only: elements_t, along_element
+   use litz_element_library, only: elements_t, along_element, material_at, material_place_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, motion_slots, potential_slots
    use litz_friction_forces, only: find_friction, increment_start_t
@@ -344,7 +344,9 @@ contains
          normal = reshape([(a(points(k))%kinematics%normal, k=1, n), (b(line_points(k))%kinematics%normal, k=1, &
             size(line_points))], [3, size(pairs, 2)])
          is_line = [(k > n, k=1, size(pairs, 2))]
-         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, is_line, strips)
+         call collect_strips(model, wires, elements, contact%places, pairs, xi, normal, is_line, &
+            reshape([constrictions_by_point(model, elements, a, points), &
+            constrictions_by_point(model, elements, b, line_points)], shape(pairs)), strips)
          call collect_spots(model, wires, elements, spots_t(pairs, xi, normal, reshape([axes_by_point(a, points), &
             axes_by_point(b, line_points)], [3, 2, size(pairs, 2)]), 1/conductance, is_line, &
             feels_others(model, [a(points)%pair, b(line_points)%pair])), spots)
@@ -412,6 +414,28 @@ contains
 
       resistance = [(points(members(i))%series_resistance, i=1, size(members))]
    end function resistances_by_point
+
+   !> Resistances of the constrictions over the resistivities [1/m]; a resistance that is given is all constriction.
+   pure function constrictions_by_point(model, elements, points, members) result(constrictions)
+      type(model_t), intent(in) :: model
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: points(:)
+      !> Which of them (n)
+      integer, intent(in) :: members(:)
+      real(dp) :: constrictions(2, size(members))
+      type(material_place_t) :: metals(2)
+      integer :: i
+
+      do i = 1, size(members)
+         associate (point => points(members(i)))
+            constrictions(:, i) = point%constriction
+            if (point%constriction(1) > 0) cycle
+            metals(1) = material_at(model, elements, point%element_bar, point%xi_bar)
+            metals(2) = material_at(model, elements, point%element, point%xi)
+            constrictions(:, i) = 1/(point%conductance*sum(metals%resistivity))
+         end associate
+      end do
+   end function constrictions_by_point
 
    !> The current of a point with a conductance, and what follows from it.
    pure subroutine set_current(current, rise, of_others, point)

@@ -29,39 +29,30 @@ contains
       !> With its elements
       type(contact_heat_t), intent(inout) :: heat
       type(mutual_resistances_t) :: strips
-      integer :: i, k
+      integer :: i
 
       associate (contacts => heat%contacts)
          call collect_strips(domain%model, domain%wires, domain%elements, places, &
             reshape([(contacts(i)%element, i=1, size(contacts))], [2, size(contacts)]), &
-            reshape([(contacts(i)%xi, i=1, size(contacts))], [2, size(contacts)]), normal, is_line, strips)
+            reshape([(contacts(i)%xi, i=1, size(contacts))], [2, size(contacts)]), normal, is_line, &
+            reshape([(own_of(heat, i), i=1, size(contacts))], [2, size(contacts)]), strips)
       end associate
       heat%beside = both_of(strips, spots_of(heat%conductors%mutual))
-      do k = 1, size(strips%shape)
-         associate (a => strips%contacts(1, k), b => strips%contacts(2, k), shape => heat%beside%shape(k))
-            shape = sign(min(abs(shape), sqrt(least_of(heat, strips, k, 1)*least_of(heat, strips, k, 2))), shape)
-         end associate
-      end do
    end subroutine find_heat_beside
 
-   !> What resists the heat of one contact of a pair, times the heat conductivity [1/m]. A conductance that is given may
-   !> be above that of any strip on such a wire: with no more than this, (1) of litz_heat_of_contacts has a solution.
-   pure real(dp) function least_of(heat, strips, k, one) result(least)
+   !> What resists the heat of a contact in either wire, times its heat conductivity [1/m]; 0: no heat passes.
+   pure function own_of(heat, i) result(own)
       type(contact_heat_t), intent(in) :: heat
-      type(mutual_resistances_t), intent(in) :: strips
-      !> Pair, and which of its contacts
-      integer, intent(in) :: k, one
+      !> Contact
+      integer, intent(in) :: i
+      real(dp) :: own(2)
 
-      associate (i => strips%contacts(one, k), side => strips%sides(one, k))
-         least = huge(1.0_dp)
-         if (heat%contacts(i)%heat_shape(1) > 0) then
-            least = sum(heat%contacts(i)%heat_shape)
-         else if (heat%contacts(i)%is_passed) then
-            least = heat%elements(heat%ends%place_of(side, i))%conductivity &
-               *sum(1/heat%contacts(i)%path%conductance)
-         end if
+      associate (contact => heat%contacts(i))
+         own = contact%heat_shape
+         if (contact%is_passed .and. .not. contact%heat_shape(1) > 0) own = &
+            heat%elements(heat%ends%place_of(:, i))%conductivity/contact%path%conductance
       end associate
-   end function least_of
+   end function own_of
 
    !> From the unbarred to the barred wire, contact after contact.
    pure function normals_of(points, members) result(normals)

@@ -137,8 +137,8 @@ contains
             metals(1) = spot_metal_t(resistivity_1(:, :, i), conductivity_1(:, :, i))
             metals(2) = spot_metal_t(resistivity_2(:, :, i), conductivity_2(:, :, i))
          end if
-         call core_hot_spot(constrictions_t([shape(i), shape(i)], film_resistance(i), film(i), is_metal /= 0, lorenz(i)), metals, &
-            voltage(i), temperature(:, i), found, info(i))
+         call core_hot_spot(constrictions_t([shape(i), shape(i)], film_resistance(i), film(i), is_metal /= 0, &
+            lorenz(i)), metals, voltage(i), temperature(:, i), found, info(i))
          current(i) = found%current
          heat(:, i) = found%heat
          hottest(:, i) = found%hottest

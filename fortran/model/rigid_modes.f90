@@ -2,6 +2,7 @@
 module litz_rigid_modes
    use litz_kinds, only: dp
    use litz_rotations, only: cross
+   use litz_symmetric_matrices, only: dsyev
    use litz_text, only: to_text
    implicit none
    private
@@ -11,32 +12,6 @@ module litz_rigid_modes
    real(dp), parameter :: rank_tolerance = 1.0e-10_dp
    !> Components of a direction smaller than this are round-off
    real(dp), parameter :: direction_tolerance = 1.0e-5_dp
-
-   interface
-      !> LAPACK: eigenvalues and eigenvectors of a real symmetric matrix
-      pure subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
-         import :: dp
-         implicit none
-         !> `V`: eigenvectors too
-         character(len=1), intent(in) :: jobz
-         !> `U`: the upper triangle of `a` is given
-         character(len=1), intent(in) :: uplo
-         !> Order of the matrix
-         integer, intent(in) :: n
-         !> Leading dimension of `a`
-         integer, intent(in) :: lda
-         !> Size of `work`, at least 3 n - 1
-         integer, intent(in) :: lwork
-         !> In: the matrix (lda, n). Out: its eigenvectors as columns
-         real(dp), intent(inout) :: a(lda, *)
-         !> Eigenvalues (n), ascending
-         real(dp), intent(out) :: w(*)
-         !> Room for the computation (lwork)
-         real(dp), intent(out) :: work(*)
-         !> 0: all is well
-         integer, intent(out) :: info
-      end subroutine dsyev
-   end interface
 
 contains
 

@@ -68,27 +68,73 @@ def test_heat_passes_between_unlike_wires_as_the_current_does(run):
     assert entering(results, "reaction_heat") == pytest.approx(expected, rel=3e-3)
 
 
-@pytest.mark.parametrize("number", [1e-3, 0.1, 0.3])
-def test_a_conductance_that_is_given_and_what_strips_add(run, number):
-    """Heat passes through the middle one of three wires in a stack. Its strips are opposite each other, where each takes
-    away from the other one (ln 2 - 1/8)/(pi lambda) (10.13), and nothing where the conductance is small."""
-    conductivity, of_others = 400.0, (math.log(2) - 1 / 8) / (math.pi * 400.0)
+def given_along(deck, given):
+    """A deck of strips has a given heat conductance per length in place of their law, and a step of heat for its currents."""
+    deck = deck.replace(f"*ELECTRICAL CONDUCTIVITY\n {1 / COPPER.resistivity:.17g}", f"*CONDUCTIVITY\n {CONDUCTIVITY}")
+    deck = deck.replace(spot("HERTZ, VOLTAGE=LINEAR"), f"*GAP CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n {given}\n")
+    before, pressed_step = deck.split("*STEP")
+    static, prescribed = pressed_step.split("*BOUNDARY")
+    heating = "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY" + prescribed.replace("9, 9", "11, 11")
+    return before + "*STEP" + static + "*END STEP\n" + heating
+
+
+def as_resistances(deck, given):
+    """The same with a resistance times length that is given [ohm m]."""
+    return deck.replace(
+        spot("HERTZ, VOLTAGE=LINEAR"),
+        f"*GAP ELECTRICAL CONDUCTANCE, LAW=CONSTANT, PER=LENGTH, VOLTAGE=LINEAR\n {1 / given}\n",
+    )
+
+
+#: Multiples of the conductance whose resistance is what a strip opposite adds, and beyond any strip
+NUMBERS = [1e-3, 0.1, 0.3, 0.34, 0.5, 0.9, 1, 1.1, 3, 10]
+CONDUCTIVITY = 400.0
+#: What all strips of a section add is at most this part of what they resist in it, half of what is given (theory, 10.13a)
+MOST = 0.7 / 2
+
+
+@pytest.mark.parametrize("elements", [(ELEMENTS,), (64, 81, 70)], ids=["nodes match", "nodes do not match"])
+@pytest.mark.parametrize("number", NUMBERS)
+@pytest.mark.parametrize("field", ["heat", "current"])
+def test_a_conductance_that_is_given_and_what_strips_add(run, field, number, elements):
+    """Heat, or a current, passes through the middle one of three wires in a stack. Its strips are opposite each other, where
+    each takes away from the other one (ln 2 - 1/8)/(pi lambda) (10.13), nothing where the conductance is small, and a part
+    of its resistance where it is larger than those of strips can be."""
+    conductivity = CONDUCTIVITY if field == "heat" else 1 / COPPER.resistivity
+    of_others = (math.log(2) - 1 / 8) / (math.pi * conductivity)
     given = number / of_others
     up = 2 * COPPER.radius - OVERLAP
     places = [(0, 0), (0, up), (0, 2 * up)]
-    deck = parallel(places, [COPPER.radius] * 3, [(0, 1), (1, 2)], {0: 0.0, 2: 0.0}, elements=(ELEMENTS,))
-    deck = deck.replace(
-        f"*ELECTRICAL CONDUCTIVITY\n {1 / COPPER.resistivity:.17g}", f"*CONDUCTIVITY\n {conductivity}"
-    ).replace(spot("HERTZ, VOLTAGE=LINEAR"), f"*GAP CONDUCTANCE, LAW=CONSTANT, PER=LENGTH\n {given}\n")
-    before, pressed_step = deck.split("*STEP")
-    static = "*STEP" + pressed_step[: pressed_step.index("*BOUNDARY")] + "*END STEP\n"
-    heating = (
-        f"*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n*BOUNDARY\n W0, 11, 11, {KELVINS}\n W2, 11\n*END STEP\n"
-    )
-    results = run(before + static + heating)
-    strips = 2 / given + 2 * of_others
+    deck = parallel(places, [COPPER.radius] * 3, [(0, 1), (1, 2)], {0: KELVINS, 2: 0.0}, elements=elements)
+    results = run(given_along(deck, given) if field == "heat" else as_resistances(deck, given))
+    strips = 2 / given + 2 * min(of_others, MOST / given)
     # within elements: from nodes to where heat leaves evenly, or nothing where it leaves at the nodes
-    inside = 2 * (LENGTH / ELEMENTS) ** 2 / (12 * conductivity * math.pi * COPPER.radius**2)
-    passed = entering(results, "reaction_heat") / (KELVINS * LENGTH)
+    inside = sum((LENGTH / n) ** 2 for n in (elements[0], elements[-1])) / (
+        12 * conductivity * math.pi * COPPER.radius**2
+    )
+    passed = entering(results, "reaction_heat" if field == "heat" else "reaction_current") / (KELVINS * LENGTH)
     # places have lumps of heat
     assert 0.997 / (strips + inside) < passed < 1.003 / strips
+
+
+@pytest.mark.parametrize("number", [1e-3, 0.1, 1, 10])
+@pytest.mark.parametrize("field", ["heat", "current"])
+def test_a_core_takes_up_what_six_wires_give_it(run, field, number):
+    """Each strip resists less than by itself, by (ln 6 - 5/8)/(pi lambda), the sum of (10.13) over the five others, but
+    heat does not flow to where it is warmer."""
+    conductivity = CONDUCTIVITY if field == "heat" else 1 / COPPER.resistivity
+    of_others = (math.log(6) - 5 / 8) / (math.pi * conductivity)
+    given = number / of_others
+    distance = 2 * COPPER.radius - OVERLAP
+    around = [(distance * math.cos(k * math.pi / 3), distance * math.sin(k * math.pi / 3)) for k in range(6)]
+    deck = parallel(
+        [(0, 0), *around], [COPPER.radius] * 7, [(0, k) for k in range(1, 7)],
+        {k: KELVINS if k else 0.0 for k in range(7)}, elements=(ELEMENTS,),
+    )  # fmt: skip
+    results = run(given_along(deck, given) if field == "heat" else as_resistances(deck, given))
+    strip = 1 / given - min(of_others, MOST / given)
+    # within an element, in a wire, and in the core, where those of six wires enter
+    inside = (1 + 6) * (LENGTH / ELEMENTS) ** 2 / (12 * conductivity * math.pi * COPPER.radius**2)
+    passed = entering(results, "reaction_heat" if field == "heat" else "reaction_current") / (6 * KELVINS * LENGTH)
+    # places have lumps of heat
+    assert 0.997 / (strip + inside) < passed < 1.003 / strip
