@@ -9,7 +9,7 @@ module litz_line_laps
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_line, share_of_point, slope_of_line_share, smooth_step
    use litz_line_kinematics, only: line_profile_t
-   use litz_line_places, only: line_places_t, resolved_by_places
+   use litz_line_places, only: line_places_t, resolved_at_ends
    use litz_round_end, only: round_end_t
    use litz_wires, only: wires_t
    implicit none
@@ -271,7 +271,7 @@ contains
       if (.not. wires%is_free(3 - inner, wires%wire(point%element))) return
       other = other_way(wires, elements, point)
       associate (pair => [point%element_bar, point%element])
-         call share_of_point(min(own(inner), other(inner)), resolved_by_places(places, pair, elements%length(pair), &
+         call share_of_point(min(own(inner), other(inner)), resolved_at_ends(places, pair, elements%length(pair), &
             elements%radius(pair)), short, slope)
       end associate
       associate (round => point%lap%round_end, lens => point%lens)

@@ -8,7 +8,7 @@ module litz_line_places
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: line_places_t, prepare_line_places, place_at, spacing_of_places, resolved_by_places
+   public :: line_places_t, prepare_line_places, place_at, spacing_of_places, resolved_by_places, resolved_at_ends
 
    !> Evenly spaced places resolve an overlap as those of Lobatto's rule at this part of their distance do
    real(dp), parameter :: resolution = 0.65_dp
@@ -139,16 +139,27 @@ contains
       spacing_of_places = maxval(length/places%n_parts(pair))
    end function spacing_of_places
 
-   !> Spacing of Lobatto's rule that tells how long an overlap places carry [m]: as that of the longest parts where
-   !> elements are short, or other wires thinner, as a spot is none of a line on any mesh.
-   pure real(dp) function resolved_by_places(places, pair, length, radius) result(spacing)
+   !> Spacing of Lobatto's rule that tells how long an overlap places carry [m].
+   pure real(dp) function resolved_by_places(places, pair, length) result(spacing)
+      type(line_places_t), intent(in) :: places
+      !> Two elements (2)
+      integer, intent(in) :: pair(2)
+      !> Their reference lengths (2) [m]
+      real(dp), intent(in) :: length(2)
+
+      spacing = resolution*spacing_of_places(places, pair, length)
+   end function resolved_by_places
+
+   !> The same of overlaps that ends or joints cut: as with the longest parts of elements on any mesh, and whatever
+   !> other wires there are, as the spot of a round end is none of a line.
+   pure real(dp) function resolved_at_ends(places, pair, length, radius) result(spacing)
       type(line_places_t), intent(in) :: places
       !> Two elements (2)
       integer, intent(in) :: pair(2)
       !> Their reference lengths and radii (2) [m]
       real(dp), intent(in) :: length(2), radius(2)
 
-      spacing = resolution*max(spacing_of_places(places, pair, length), longest_part*minval(radius))
-   end function resolved_by_places
+      spacing = max(resolved_by_places(places, pair, length), resolution*longest_part*minval(radius))
+   end function resolved_at_ends
 
 end module litz_line_places

@@ -21,7 +21,7 @@ module litz_line_shares
    use litz_line_contact, only: serves_lines
    use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing, bound_by_lap, find_round_end
-   use litz_line_places, only: line_places_t, resolved_by_places, spacing_of_places
+   use litz_line_places, only: line_places_t, resolved_at_ends, resolved_by_places, spacing_of_places
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
@@ -398,7 +398,7 @@ contains
       type(elements_t), intent(in) :: elements
       !> Out: with `line_share` and `section_share`
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: half_length, of_crossing, short, slope, radius
+      real(dp) :: half_length, of_crossing, short, slope, radius, spacing
       integer :: pair(2)
 
       if (.not. has_lens(crossing)) return
@@ -413,12 +413,13 @@ contains
             pair = [bar%element, leg%element]
             half_length = half_length_on(crossing, bar, leg, deepest*radius)
          end associate
+         spacing = resolved_at_ends(places, pair, elements%length(pair), elements%radius(pair))
       else
          pair = [crossing%element_bar, crossing%element]
          half_length = half_length_of(crossing, deepest*radius)
+         spacing = resolved_by_places(places, pair, elements%length(pair))
       end if
-      call share_of_point(half_length, resolved_by_places(places, pair, elements%length(pair), elements%radius(pair)), &
-         of_crossing, slope)
+      call share_of_point(half_length, spacing, of_crossing, slope)
       point%line_share = 1 - short*of_crossing
       point%energy_ratio = 1 + short*(crossing%energy_ratio - 1)
       point%section_share = point%history%dent%share_of_section(1 - short*(1 - share_of_line(half_length/radius)))

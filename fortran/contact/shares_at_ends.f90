@@ -12,7 +12,7 @@ module litz_shares_at_ends
    use litz_element_library, only: elements_t
    use litz_lens_law, only: share_of_ends, share_of_line, smooth_step
    use litz_line_laps, only: lap_from_end
-   use litz_line_places, only: line_places_t, place_at, resolved_by_places
+   use litz_line_places, only: line_places_t, place_at, resolved_at_ends
    use litz_normal_law, only: normal_law_t
    use litz_rotations, only: cross
    use litz_wires, only: wires_t
@@ -279,7 +279,7 @@ contains
       !> What places leave, and length of what the ends leave of the overlap [m]
       real(dp), intent(in) :: of_crossing, length
 
-      share = share_of_ends(1 - of_crossing, length, resolved_by_places(places, pair, elements%length(pair), &
+      share = share_of_ends(1 - of_crossing, length, resolved_at_ends(places, pair, elements%length(pair), &
          elements%radius(pair)))
    end function share_beside_places
 
