@@ -398,7 +398,7 @@ contains
       type(elements_t), intent(in) :: elements
       !> Out: with `line_share` and `section_share`
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: half_length, of_crossing, short, slope, radius, spacing
+      real(dp) :: half_length, of_crossing, short, slope, radius, spacing, at_end
       integer :: pair(2)
 
       if (.not. has_lens(crossing)) return
@@ -413,12 +413,15 @@ contains
             pair = [bar%element, leg%element]
             half_length = half_length_on(crossing, bar, leg, deepest*radius)
          end associate
-         spacing = resolved_at_ends(places, pair, elements%length(pair), elements%radius(pair))
+         at_end = 1
       else
          pair = [crossing%element_bar, crossing%element]
          half_length = half_length_of(crossing, deepest*radius)
-         spacing = resolved_by_places(places, pair, elements%length(pair))
+         ! as it comes to an end it is one of that
+         at_end = maxval(merge(smooth_step(1 - crossing%place/half_length), 0.0_dp, crossing%lens%near))
       end if
+      spacing = (1 - at_end)*resolved_by_places(places, pair, elements%length(pair)) + at_end*resolved_at_ends(places, &
+         pair, elements%length(pair), elements%radius(pair))
       call share_of_point(half_length, spacing, of_crossing, slope)
       point%line_share = 1 - short*of_crossing
       point%energy_ratio = 1 + short*(crossing%energy_ratio - 1)
