@@ -37,6 +37,17 @@ def test_a_tip_has_the_force_of_a_half_space_and_holds_its_work(run, slope, over
     assert np.abs(lost[20:]).max() < 0.025
 
 
+@pytest.mark.parametrize("slope", [0.1, 0.03])
+def test_a_tip_has_its_force_on_any_mesh(run, slope):
+    """With elements of a radius and of a twelfth on both wires: the spot of a round end is none of a line."""
+    forces = []
+    for per_radius in (1, 12):
+        lower = np.linspace((-2 * RADIUS, 0, 0), (4 * RADIUS, 0, 0), 6 * per_radius + 1)
+        upper = from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, slope), n=3 * per_radius, length=3 * RADIUS)
+        forces.append(pressed(run, lower, upper, 0.01, 2)[1][-1])
+    assert forces[1] == pytest.approx(forces[0], rel=1e-3)
+
+
 def test_a_wire_bent_over_a_lap_is_pressed_with_rising_force(run):
     """Its ends touch first, and what lies between them closes at an overlap of 1.2 % of the radius."""
     bend, half = 0.024 / RADIUS, RADIUS

@@ -23,6 +23,8 @@ SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1)
 LAPS, ARCH, BENDS = (2.5, 5.0, 10.0, 20.0), 20.0, (0.01, 0.02, 0.03)
 #: Places of crossings before the end, in sqrt(r delta)
 BEFORE = (0.0, 0.3, 0.6, 1.0)
+#: Angles of crossings [degrees], and their place before the end of one wire or of both
+ANGLES, ASIDE = (60, 45, 30, 22), 0.6
 
 
 def measure(workspace):
@@ -35,6 +37,10 @@ def measure(workspace):
         "ends_on_wires.laps": laps,
         "ends_on_wires.arches": arches,
         "ends_on_wires.crossings": across,
+        "ends_on_wires.oblique": [force_of(workspace, f"oblique_{angle}", oblique(angle)) for angle in ANGLES],
+        "ends_on_wires.two_ends": [
+            force_of(workspace, f"two_ends_{angle}", oblique(angle), ASIDE * LENGTH) for angle in ANGLES
+        ],
         "figure": {"tips": tips, "laps": laps},
     }
 
@@ -56,6 +62,12 @@ def straight(tip, slope, n=10, length=10 * RADIUS):
     if math.isinf(slope):
         return np.column_stack([0 * s, tip[1] + s, 0 * s])
     return np.column_stack([tip[0] + s / math.hypot(1, slope), tip[1] + 0 * s, s * slope / math.hypot(1, slope)])
+
+
+def oblique(degrees):
+    """Points of a wire that crosses the x axis at an angle, just behind its own end."""
+    along = np.linspace(-ASIDE * LENGTH, 10 * RADIUS, 12)[:, None]
+    return along * [math.cos(math.radians(degrees)), math.sin(math.radians(degrees)), 0]
 
 
 def lap(length, bend=0.0):

@@ -93,6 +93,25 @@ def force_of_crossing(before, cells=120):
     return force_of_wires(lambda x: x**2 / 2 + sphere(-x - before), (-2.0, 2.0), cells, across=1.0)
 
 
+def force_of_oblique(degrees, before, behind=np.inf, cells=120):
+    """The same of wires that cross at an angle: at a length before the end of one, and perhaps behind that of the other."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+
+    def height(x, y):
+        one = y**2 / 2 + sphere(x - before)
+        return one + (y * c - x * s) ** 2 / 2 + sphere(-behind - x * c - y * s)
+
+    coarse = np.linspace(-3 / s, 3 / s, 1201)
+    x, y = np.meshgrid(coarse, coarse, indexing="ij")
+    touching = height(x, y) < 1
+    ends = [(axis[touching].min(), axis[touching].max()) for axis in (x, y)]
+    n, m = cells, max(cells // 3, round(cells * np.ptp(ends[1]) / np.ptp(ends[0])))
+    size = (np.ptp(ends[0]) / n, np.ptp(ends[1]) / m)
+    x = ends[0][0] + (np.arange(n) + 0.5) * size[0]
+    y = ends[1][0] + (np.arange(m) + 0.5) * size[1]
+    return contact_force(height(*np.meshgrid(x, y, indexing="ij")), size, 1e-6)
+
+
 def sphere(beyond):
     """What the surface of a round end falls below that of the wire, beyond it."""
     return np.maximum(beyond, 0) ** 2 / 2
@@ -116,3 +135,5 @@ if __name__ == "__main__":
     print(*(round(force_of_lap(length), 3) for length in (2.5, 5.0, 10.0, 20.0)))
     print(*(round(force_of_lap(20.0, bend), 3) for bend in (0.01, 0.02, 0.03)))
     print(*(round(force_of_crossing(before), 3) for before in (0.0, 0.3, 0.6, 1.0)))
+    print(*(round(force_of_oblique(degrees, 0.6), 3) for degrees in (60, 45, 30, 22)))
+    print(*(round(force_of_oblique(degrees, 0.6, 0.6), 3) for degrees in (60, 45, 30, 22)))
