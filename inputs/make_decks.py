@@ -137,12 +137,12 @@ Source   Force and conductance per length of parallel wires (K. L. Johnson, Cont
          of a disc), and the transmission line of two wires that conduct into each other,
             R = r lap/2 + r/m coth(m lap/2) + 2 r free,  m^2 = 2 r g,  r = resistivity/area,
          in verification/references/parallel_wires.py and line_joints.py. Written by inputs/make_decks.py.
-Expect   Between wires that touch all over the lap the current passes mostly near its ends. Force of the jaw and resistance
-         between the ends, to 0.1 %
+Expect   Between wires that touch all over the lap the current passes mostly near its ends. Force of the jaw, with
+         half of Hertz's contact of the round end of either wire, and resistance between the ends, to 0.1 %
          time s   force N    resistance mohm
-         0.25     37.883     0.799172
-         0.5      81.281     0.769118
-         1        175.430    0.746741""".splitlines()
+         0.25     37.938     0.799172
+         0.5      81.435     0.769118
+         1        175.865    0.746741""".splitlines()
     copper = model.material("COPPER", young=120e9, poisson=0.34, conductivity=58.8e6)
     lower = model.wire("LOWER", (-free, 0, 0), (lap, 0, 0), radius=radius, material=copper, elements=30)
     upper = model.wire(

@@ -38,6 +38,12 @@ def exact(spot_of):
     return force, spot_of(force, **properties()).resistance
 
 
+def force_of_round_ends():
+    """Half of the contacts of the hemispheres of both wires, each on the other wire [N]."""
+    turned = {key: value[::-1] if isinstance(value, list) else value for key, value in properties().items()}
+    return sum(float((OVERLAP / end_on_wire(1.0, **each).approach) ** 1.5) / 2 for each in (properties(), turned))
+
+
 def pressed(lower, upper, direction):
     """A steel wire above a copper wire, all nodes of both are led: moved by the overlap in a direction."""
     moves = "\n".join(f" UPPER, {d}, {d}, {OVERLAP * part:.17g}" for d, part in enumerate(direction, start=1))

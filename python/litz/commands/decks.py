@@ -17,7 +17,7 @@ from .parsers import command_parser
 #: Units of length, in metres
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
 #: What the program says about wires that are not held
-_LACKS_SUPPORTS = "*BOUNDARY must prevent that"
+_LACKS_SUPPORTS = ("*BOUNDARY must prevent that", "has no path to a prescribed potential")
 
 
 def new_command(arguments: list[str]) -> int:
@@ -101,7 +101,7 @@ def convert_command(arguments: list[str]) -> int:
     print("supports, contacts and loads are missing: the deck has outlines of them as comments")
     refused = refusal(Path(options.deck))
     errors = [line for line in refused.splitlines() if line.startswith("error: ")]
-    if all(_LACKS_SUPPORTS in line for line in errors):
+    if all(any(lacks in line for lacks in _LACKS_SUPPORTS) for line in errors):
         return 0
     print(f"{options.deck} CANNOT RUN AS IT IS:\n{textwrap.indent(refused, '  ')}", file=sys.stderr)
     return 1
