@@ -69,6 +69,20 @@ class TestRunsThatDriveACurrent:
         # neighbours are nearer by nothing: both pass through the core
         assert found.matrix[first, second] == pytest.approx(found.matrix[first, first + 1], rel=0.05)
 
+    @pytest.mark.parametrize("times_length", [5e-8, 2e-9])
+    def test_given_resistances_that_are_less_than_those_of_strips(self, times_length, tmp_path):
+        """What strips of the core add to each other is limited in each section, as in the run (10.13a): of the smaller one."""
+        law = litz.ConstantSpot(times_length, per_length=True)
+        model = build.strand(
+            [1, 6], radius=[0.52e-3, 0.5e-3], lay_length=45e-3, length=15e-3, element_length=1.1e-3,
+            interaction=litz.Interaction(conductance=law),
+        )  # fmt: skip
+        wires = model.groups["LAYER1"].wires
+        results = driven(model, wires[1], wires[4], tmp_path)
+        first, second = wire_numbers(results, wires[1], wires[4])
+        resistance = results.history["resistance FIRST to SECOND"][-1]
+        assert results.interstrand_resistance().matrix[first, second] == pytest.approx(resistance, rel=1e-6)
+
     def test_crossings_and_lines_of_a_rope(self, tmp_path):
         """Three bundles: lines within them, crossings between them."""
         model = build.cable([[3], [3]], radius=0.41e-3, lay_lengths=[20e-3, 40e-3], length=10e-3)

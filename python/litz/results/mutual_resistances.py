@@ -9,8 +9,9 @@ from ..base.table import Table
 from .result_file import ResultFile
 
 # As in the program (fortran/contact/strips_of_wires.f90, line_places.f90): nearest strips that are two, in radii; longest
-# part of an element, in radii of the thinnest wire; the fewest and the most parts of an element; a multiple stays one
-_LEAST_DISTANCE = 0.1
+# part of an element, in radii of the thinnest wire; the fewest and the most parts of an element; a multiple stays one; what
+# strips of a section add to each other, at most, of what they resist by themselves
+_LEAST_DISTANCE, _MOST_OF_OWN = 0.1, 0.7
 _LONGEST_PART, _FEWEST, _MOST, _ROUND_OFF = 0.4, 2, 1000, 1e-9
 _BETWEEN_SPOTS = re.compile(r"MUTUAL\s*RESISTANCE\s*=\s*YES", re.IGNORECASE)
 
@@ -66,9 +67,45 @@ def mutual_resistances(
     distance = np.linalg.norm(outward[first] - outward[second], axis=1)
     raised = places.resistivity[place[first]] / np.pi * (1 / 8 - np.log(np.maximum(distance, _LEAST_DISTANCE)))
     value = sign[first] * sign[second] * share[first] * share[second] / places.length[place[first]] * raised
+    # either wire has its part of what resists
+    both = sum(resistivity[each] for each in strips)
+    own = share * places.resistivity[place] * (ledger["resistance"][lines] / both)[row]
+    value *= _limits_of_sections(place, first, second, np.abs(value) / np.sqrt(own[first] * own[second]), raised < 0)
     pairs = np.sort(np.column_stack([row[first], row[second]]), axis=1)
     pairs, where = np.unique(pairs, axis=0, return_inverse=True)
     return lines[pairs], np.bincount(where.ravel(), value, len(pairs))
+
+
+def _limits_of_sections(
+    place: np.ndarray, first: np.ndarray, second: np.ndarray, added: np.ndarray, lowers: np.ndarray
+) -> np.ndarray:
+    """Factor of each pair, so that what the strips of its section add takes away at most a part of what they resist.
+
+    Conductances that are given may be larger than those of any strip. Source: theory section 10, equation (10.13a).
+
+    Parameters
+    ----------
+    place : (n,) array
+        Sorted places of the parts of all strips.
+    first, second : (k,) arrays of int
+        Parts of each pair.
+    added : (k,) array
+        What each pair adds, over the root of what both resist by themselves [-].
+    lowers : (k,) array of bool
+        It lowers the potential.
+    """
+    n_places = place[-1] + 1
+    sums = np.bincount(first, added, len(place)) + np.bincount(second, added, len(place))
+    factor = np.ones(n_places)
+    # no eigenvalue is larger than the largest sum of a row
+    for number in np.unique(place[sums > _MOST_OF_OWN]):
+        begin, end = np.searchsorted(place, [number, number + 1])
+        here = (first >= begin) & (first < end)
+        form = np.zeros((end - begin, end - begin))
+        form[first[here] - begin, second[here] - begin] = np.where(lowers[here], -added[here], added[here])
+        lowest = np.linalg.eigvalsh(form + form.T)[0]
+        factor[number] = _MOST_OF_OWN / max(_MOST_OF_OWN, -lowest)
+    return factor[place[first]]
 
 
 def _pairs_in_groups(group: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
