@@ -302,17 +302,28 @@ contains
       integer, intent(out) :: side
       real(dp) :: own(2), other(2)
 
-      ! beyond a joint wires go on
-      own = merge(distances_to_ends(wires, elements, point%element, point%arc), huge(lap), &
-         wires%is_free(:, wires%wire(point%element)))
-      other = merge(distances_to_ends(wires, elements, point%element_bar, point%arc_bar), huge(lap), &
-         wires%is_free(:, wires%wire(point%element_bar)))
+      own = distances_to_free_ends(point%element, point%arc)
+      other = distances_to_free_ends(point%element_bar, point%arc_bar)
       if (.not. runs_along(wires, point)) other = other([2, 1])
       lap = sum(min(huge(lap)/2, own, other))
       side = 0
       if (count(other < own) /= 1) return
       side = findloc(other < own, .true., 1)
       if (.not. runs_along(wires, point)) side = 3 - side
+
+   contains
+
+      !> Beyond a joint wires go on (2) [m].
+      pure function distances_to_free_ends(e, arc) result(distance)
+         !> Element
+         integer, intent(in) :: e
+         !> Arc length along its wire [m]
+         real(dp), intent(in) :: arc
+         real(dp) :: distance(2)
+
+         distance = merge(distances_to_ends(wires, elements, e, arc), huge(arc), wires%is_free(:, wires%wire(e)))
+      end function distances_to_free_ends
+
    end subroutine find_lap_round
 
    !> Way on the barred wire to its ends, against and along the unbarred one (2) [m].

@@ -39,7 +39,7 @@ contains
          found%stiffness = place%stiffness
          found%elastic_stiffness = place%elastic_stiffness
       else if (point%line_place > 0) then
-         if (point%lap%round_end%share > 0) then
+         if (point%lap%round_end%hertz > 0) then
             found = overlap_of_end(law, point, force, weight)
             return
          end if

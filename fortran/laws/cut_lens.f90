@@ -22,8 +22,8 @@ module litz_cut_lens
    !> which on one runs into the other (5 and 15 degrees)
    real(dp), parameter, public :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
 
-   !> kappa^2 of a spot that is as long as the overlap
-   real(dp), parameter :: whole_overlap = 1
+   !> kappa^2 of a spot that is as long as the overlap, and the part of the curvature where all is that of the wire
+   real(dp), parameter :: whole_overlap = 1, all_own = 1
    !> An overlap that begins at the end is half a wedge where its place is this part of it (from half-spaces)
    real(dp), parameter :: wedge_from = 2
 
@@ -133,7 +133,7 @@ contains
          if (held(i) .and. place(i) < 0) recess = lens%receding(i)*variable(place(i), i + 1)*variable(place(i), i + 1)
          cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, &
             lens%extent(i), lens%own_bend(i))
-         over_foot(i) = energy_to(root(i)*foot(i), corner, whole_overlap, whole_overlap)
+         over_foot(i) = energy_to(root(i)*foot(i), corner, whole_overlap, all_own)
          middle = middle - recess
          if (.not. held(i)) cycle
          flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
@@ -237,7 +237,8 @@ contains
 
    !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the
    !> wire is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins
-   !> at the end, where the wire leans, the same up to `u^2 = x^2/(kappa delta_c + x^2)` of a wedge.
+   !> at the end, where the wire leans, the same up to `u^2 = x^2/(kappa_w delta_c + x^2)` of a wedge, whose `kappa_w`
+   !> is that of the whole ellipse. Source: theory (10.17), (10.18a).
    pure type(jet_t) function energy_to(x, overlap, extent, own_bend) result(energy)
       !> `a sqrt(k/2)` [m^(1/2)], and the overlap of the cylinder at its end, delta_c
       type(jet_t), intent(in) :: x, overlap

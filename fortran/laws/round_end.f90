@@ -45,7 +45,7 @@ contains
       real(dp), intent(in) :: overlap
       real(dp) :: u, s, s1, s2, s3, factor
 
-      if (.not. (overlap > 0 .and. round%share > 0)) return
+      if (.not. (overlap > 0 .and. round%hertz > 0)) return
       u = 1
       associate (reach => sqrt(2*round%distance*overlap))
          if (round%beyond < reach) u = max(0.0_dp, round%beyond)/reach
