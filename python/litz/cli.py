@@ -11,6 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from .base.program import program_environment, program_path
+from .base.rearranged import INCLUDED, REARRANGED
 from .errors import LitzError
 
 _HELP = ("help", "-h", "--help")
@@ -76,10 +77,10 @@ def _show_warning(message: Warning | str, *_: object, **_also: object) -> None:
     print(f"warning: {message}", file=sys.stderr)
 
 
-def _may_have_parts(deck: Path) -> bool:
-    """Whether it is worth looking for parts: numpy, which that needs, takes a while to load."""
-    text = deck.read_bytes().lower()
-    return b"part" in text or b"include" in text
+def _may_be_rearranged(deck: Path) -> bool:
+    """Whether it is worth looking for parts and generated nodes: numpy, which that needs, takes a while to load."""
+    text = deck.read_bytes()
+    return any(pattern.search(text) for pattern in (REARRANGED, INCLUDED))
 
 
 def _run_flat(program: str, arguments: list[str], deck: int, environment: dict[str, str]) -> int:
@@ -107,7 +108,7 @@ def _run_program(arguments: list[str]) -> int:
         files = [
             i for i in range(1, len(arguments)) if arguments[i - 1] != "--restart" and Path(arguments[i]).is_file()
         ]
-        if arguments[0] in ("run", "check") and files and _may_have_parts(Path(arguments[files[0]])):
+        if arguments[0] in ("run", "check") and files and _may_be_rearranged(Path(arguments[files[0]])):
             return _run_flat(program, arguments, files[0], environment)
         os.execve(program, [program, *arguments], environment)
     exit_code = subprocess.run([program, "--help"], check=False).returncode

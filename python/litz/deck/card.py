@@ -40,6 +40,8 @@ class Card:
         What follows: data lines, with comments and blank lines among them.
     line : int
         Number of the keyword line in its file; 0: the card was made by hand.
+    is_generated : bool
+        Whether its data lines are others than those of the file.
 
     Examples
     --------
@@ -55,6 +57,7 @@ class Card:
     head: list[str] = field(default_factory=list)
     body: list[str] = field(default_factory=list)
     line: int = 0
+    is_generated: bool = False
 
     @classmethod
     def make(cls, name: str, parameters: dict[str, Any] | None = None, rows: Iterable[Sequence[Value]] = ()) -> "Card":

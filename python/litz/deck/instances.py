@@ -8,13 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..base.names import unknown_name
-from ..errors import FileError, InputError
+from ..base.rearranged import INCLUDED, REARRANGED
+from ..errors import InputError
 from .card import Card
 from .deck import Deck
-from .lines import Value, data_line, is_comment, line_end
+from .generated import rewrite, written_out
+from .lines import Value
+from .placement import placed, rotated
 
 #: Cards whose data lines begin with a node or an element, or the name of a set
 _ON_NODES = ("BOUNDARY", "CLOAD", "CECURRENT", "CFLUX", "TEMPERATURE", "INITIAL CONDITIONS", "KINEMATIC COUPLING")
@@ -22,15 +24,17 @@ _ON_ELEMENTS = ("DLOAD", "LORENTZ", "DFLUX", "FILM", "RADIATE", "SURFACE")
 #: Cards that have no meaning where the instances are placed
 _STRUCTURE = ("ASSEMBLY", "END ASSEMBLY")
 
-_PART = re.compile(rb"^[ \t]*\*[ \t]*part\b", re.MULTILINE | re.IGNORECASE)
-_INCLUDED = re.compile(rb"^[ \t]*\*[ \t]*include[ \t]*,[ \t]*input[ \t]*=([^,\r\n]+)", re.MULTILINE | re.IGNORECASE)
-
 
 def deck_cards(deck: Deck) -> Iterator[Card]:
+    """The cards of a deck and of those that it includes, nodes and elements that are generated written out."""
+    return written_out(_with_included(deck), deck.path)
+
+
+def _with_included(deck: Deck) -> Iterator[Card]:
     """The cards of a deck and of those that it includes, which have the line of the card that includes them."""
     for card in deck:
         if card.is_a("INCLUDE"):
-            for included in deck_cards(deck.included(card)):
+            for included in _with_included(deck.included(card)):
                 included.line = card.line
                 yield included
         else:
@@ -48,8 +52,8 @@ def flat_cards(path: Path) -> list[Card]:
     return cards
 
 
-def has_parts(path: Path) -> bool:
-    """Whether a deck, or what it includes, has parts; decks of millions of lines are not taken to pieces for that."""
+def is_rearranged(path: Path) -> bool:
+    """Whether a deck, or what it includes, has parts or generates nodes; decks of millions of lines stay in one piece for that."""
     waiting, seen = [path], set()
     while waiting:
         path = waiting.pop()
@@ -57,17 +61,17 @@ def has_parts(path: Path) -> bool:
             continue
         seen.add(path)
         text = path.read_bytes()
-        if _PART.search(text):
+        if REARRANGED.search(text):
             return True
-        names = (name.decode("utf-8", errors="surrogateescape").strip().strip('"') for name in _INCLUDED.findall(text))
+        names = (name.decode("utf-8", errors="surrogateescape").strip().strip('"') for name in INCLUDED.findall(text))
         waiting += [path.parent / name for name in names]
     return False
 
 
 @contextmanager
 def flat_deck(path: Path) -> Iterator[Path]:
-    """A deck that the program reads: the same, or a temporary one of the same name where there are parts to place."""
-    if not has_parts(path):
+    """A deck that the program reads: the same, or a temporary one of the same name where there are parts to place, or nodes to generate."""
+    if not is_rearranged(path):
         yield path
         return
     with tempfile.TemporaryDirectory(prefix="litz-") as directory:
@@ -81,49 +85,15 @@ def flat_text(path: Path) -> str:
     lines = [f"**litz deck {path}"]
     for card in flat_cards(path):
         lines += [*_stripped(card.comments), f"**litz line {card.line}", *_stripped(card.head)]
-        # sets are written anew
-        is_set = card.is_a("NSET") or card.is_a("ELSET")
+        # sets, and what is generated, are written anew
+        is_new = card.is_generated or card.is_a("NSET") or card.is_a("ELSET")
         for line in _stripped(card.body):
-            lines += [f"**litz line {card.line + len(card.head)}"] * is_set + [line]
+            lines += [f"**litz line {card.line + len(card.head)}"] * is_new + [line]
     return "\n".join([*lines, ""])
 
 
 def _stripped(lines: Iterable[str]) -> list[str]:
     return [line.rstrip("\r\n") for line in lines]
-
-
-def _rewrite(card: Card, rows: Sequence[Sequence[Value]]) -> None:
-    """Set the data line by line, so that comments among them stay."""
-    places = [i for i, line in enumerate(card.body) if not is_comment(line)]
-    for i, row in zip(places, rows, strict=True):
-        card.body[i] = data_line(row) + line_end(card.head)
-
-
-def placed(places: NDArray, card: Card, path: Path) -> NDArray:
-    """Positions (n, 3) of a part at the place of an `*INSTANCE`: a shift, then a rotation about an axis."""
-    lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in card.data]
-    places = places.reshape(-1, 3) + (np.array([*lines[0], 0, 0, 0][:3]) if lines else np.zeros(3))
-    if len(lines) > 1:
-        if len(lines[1]) != 7:
-            raise FileError(f"{path}: the second line of *INSTANCE {card['NAME']} needs seven numbers")
-        places = rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
-    return places
-
-
-def rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
-    """Turned about the axis from a to b."""
-    length = float(np.linalg.norm(b - a))
-    if not length > 0:
-        raise FileError("the axis of the rotation of an *INSTANCE has no length")
-    axis, angle = (b - a) / length, np.deg2rad(degrees)
-    cosine, sine = np.cos(angle), np.sin(angle)
-    if degrees % 90 == 0:
-        # exactly, so that places that were zero stay so
-        cosine, sine = np.rint(cosine), np.rint(sine)
-    arms = places - a
-    # Rodrigues' rotation formula
-    along = np.outer(arms @ axis, axis)
-    return a + cosine * (arms - along) + sine * np.cross(axis, arms) + along
 
 
 class _Instances:
@@ -187,12 +157,12 @@ class _Instances:
     def _placed(self, card: Card, instance: Card) -> Card:
         """A card of a part, or of an instance with a mesh of its own, at the place of the instance."""
         name = str(instance["NAME"])
-        copy = Card(list(card.comments), list(card.head), list(card.body), card.line)
+        copy = Card(list(card.comments), list(card.head), list(card.body), card.line, card.is_generated)
         if copy.is_a("NODE"):
             rows = copy.data
             places = np.array([[float(value or 0) for value in [*row[1:4], 0, 0, 0][:3]] for row in rows])
             new = placed(places, instance, self.path).tolist()
-            _rewrite(copy, [[row[0], *place, *row[4:]] for row, place in zip(rows, new, strict=True)])
+            rewrite(copy, [[row[0], *place, *row[4:]] for row, place in zip(rows, new, strict=True)])
         elif (copy.is_a("BEAM SECTION") or copy.is_a("BEAM GENERAL SECTION")) and len(instance.data) > 1:
             self._turn_axis(copy, instance)
         elif copy.is_a("TRANSFORM"):
@@ -213,7 +183,7 @@ class _Instances:
         n1 = np.array([[float(value or 0) for value in (rows[1] if len(rows) > 1 else [0, 0, -1])]])
         turned = rotated(n1, np.zeros(3), b - a, angle)
         if len(rows) > 1:
-            _rewrite(section, [rows[0], turned[0].tolist(), *rows[2:]])
+            rewrite(section, [rows[0], turned[0].tolist(), *rows[2:]])
         else:
             section.data = [rows[0], turned[0].tolist()]
 
@@ -223,7 +193,7 @@ class _Instances:
         new = placed(points, instance, self.path)
         if str(transform.get("TYPE", "R")).upper() == "R":
             new -= placed(np.zeros((1, 3)), instance, self.path)
-        _rewrite(transform, [new.ravel().tolist()])
+        rewrite(transform, [new.ravel().tolist()])
 
     def _renumbered(self, card: Card, instance: str, prefix: str) -> Card:
         """Numbers and names as the flat deck has them."""
@@ -265,7 +235,7 @@ class _Instances:
             for i in range(0, len(row), 3):
                 row[i] = self._item_or_set(row[i], self.nodes, instance, prefix)
                 n_left -= 1
-        _rewrite(card, rows)
+        rewrite(card, rows)
 
     def _renumber_joints(self, card: Card, instance: str, prefix: str) -> None:
         """Nodes of multi-point constraints, behind the word that says what joins them."""
@@ -296,7 +266,7 @@ class _Instances:
             numbers[instance.upper(), row[0]] = new
             others = [self._item(node, self.nodes, instance) for node in row[1:]] if card.is_a("ELEMENT") else row[1:]
             new_rows.append([new, *others])
-        _rewrite(card, new_rows)
+        rewrite(card, new_rows)
 
     def _collect(self, card: Card, instance: str, prefix: str) -> None:
         """Members of a set; ranges are written out, as numbers may have changed."""

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card, Deck
-from ..deck.instances import deck_cards, placed
+from ..deck.instances import deck_cards
+from ..deck.placement import placed
 from ..errors import FileError
 from .materials import Circular, General, Material, Section
 from .mesh import FOREIGN_BEAMS, Mesh, element_types, unique_rows

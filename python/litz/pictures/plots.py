@@ -24,7 +24,7 @@ from ..results.contact_history import has_lines
 from . import cable_charts, charts, friction_charts, network_chart, residual_charts, surface_charts, zone_charts
 from .colours import line_colours
 from .kinds import INCHES, KINDS
-from .margins import arrange
+from .margins import arrange, text_width
 from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, render
 
@@ -277,18 +277,23 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     draw_wires(figure.add_axes(box), scene, camera, drawn)
     inch = 1.0 / figure.get_figheight()
     draw_frame(figure.add_axes((left, bottom - 0.75 * inch, width, 0.75 * inch)), camera, scene.length_unit)
-    bars = [(mpl.cm.ScalarMappable(mpl.colors.Normalize(*scene.limits), scene.colours), scene.title)]
+    bars: list[tuple[tuple[float, float], Any, str]] = [(scene.limits, scene.colours, scene.title)]
     if scene.line_title:
-        lines = mpl.cm.ScalarMappable(mpl.colors.Normalize(0.0, scene.line_limit or 1.0), line_colours())
-        bars.append((lines, scene.line_title))
+        bars.append(((0.0, scene.line_limit or 1.0), line_colours(), scene.line_title))
     share, gap = 0.42 / len(bars), 0.02 if len(bars) == 1 else 0.04
-    for place, (colours, text) in enumerate(bars):
+    room = 72 * (share - 0.01) * width * figure.get_figwidth()
+    for place, (limits, colours, text) in enumerate(bars):
         start = left + (0.04 + place * share) * width
         bar_axes = figure.add_axes((start, bottom - 0.30 * inch, (share - gap) * width, 0.13 * inch))
-        bar = figure.colorbar(colours, cax=bar_axes, orientation="horizontal")
+        power = _power_of_ten(limits)
+        in_powers = mpl.colors.Normalize(*(limit / 10.0**power for limit in limits))
+        bar = figure.colorbar(mpl.cm.ScalarMappable(in_powers, colours), cax=bar_axes, orientation="horizontal")
         bar.locator = mpl.ticker.MaxNLocator(6 // len(bars))
-        bar.formatter.set_powerlimits((-3, 4))
-        bar.set_label(text)
+        bar.formatter.set_powerlimits((-9, 9))
+        text = _times_power(text, power)
+        # the name of a scale stays within its share
+        size = float(mpl.rcParams["font.size"])
+        bar.set_label(text, size=size * min(1.0, room / text_width(text, size)))
         bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
@@ -304,6 +309,20 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     figure.text(
         left + 0.48 * width, bottom - 0.17 * inch, "\n".join(notes), va="top", fontsize="small", linespacing=1.4
     )
+
+
+def _power_of_ten(limits: tuple[float, float]) -> int:
+    """Power by which the numbers of a scale are divided: 0 where they are neither very small nor very large."""
+    largest = max(map(abs, limits))
+    power = int(np.floor(np.log10(largest))) if 0 < largest < np.inf else 0
+    return 0 if -3 < power < 4 else power
+
+
+def _times_power(text: str, power: int) -> str:
+    """The name of a scale whose numbers have been divided by a power of ten: "heat [W]" -> "heat [1e-6 W]"."""
+    if not power:
+        return text
+    return text.replace(" [", f" [1e{power} ") if text.endswith("]") else f"{text} [1e{power}]"
 
 
 def _chart(draw: Callable) -> Callable:

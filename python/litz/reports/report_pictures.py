@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from PIL import Image
 
 from ..pictures.friction_charts import has_friction
@@ -25,6 +26,8 @@ _SMALLER = ((75, 1.0), (75, 0.75), (60, 0.75), (60, 0.6), (40, 0.5))
 _SIZE_OF_WIRES = (1200, 840)
 _PIXELS_PER_INCH = 110
 _MAX_WIRES = 300
+# Moments that are smaller beside those of forces over an element are round-off
+_ROUND_OFF = 1e-10
 
 
 class Pictures:
@@ -91,7 +94,8 @@ def _wanted(results: Results) -> list[_Wanted]:
         wanted.append(_Wanted("wires", "Joule heat per length of the wires.", "joule_heat_per_length"))
     if "temperature" in results.fields:
         wanted.append(_Wanted("wires", "Temperature.", "temperature"))
-    wanted.append(_Wanted("wires", "Bending moment.", "bending_moment"))
+    if _bends(results):
+        wanted.append(_Wanted("wires", "Bending moment.", "bending_moment"))
     wanted.append(_Wanted("residuals", "Residuals over the iterations."))
     if contacts.n_rows:
         wanted.append(_Wanted("contacts", "The contacts over time, and their spots at the last increment."))
@@ -112,6 +116,15 @@ def _wanted(results: Results) -> list[_Wanted]:
     if len(results.history) > 3:
         wanted.append(_Wanted("history", "Output requested in the deck."))
     return wanted
+
+
+def _bends(results: Results) -> bool:
+    """Whether wires bend by more than round-off: the moments of their section forces over an element."""
+    moment = max(float(np.abs(results.field(f"bending_moment_{axis}")).max(initial=0)) for axis in (2, 3))
+    forces = [results.field(name) for name in ("axial_force", "shear_force_2", "shear_force_3")] + [results.contacts["force"]]
+    force = max(float(np.abs(one).max(initial=0)) for one in forces)
+    ends = results.nodes[results.elements]
+    return moment > _ROUND_OFF * force * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).max(initial=0))
 
 
 def _make_smaller(pictures: list[Path], room: int) -> None:
