@@ -57,11 +57,12 @@ module litz_foreign_words
       foreign_word_t('PART|END PART|ASSEMBLY|END ASSEMBLY|INSTANCE|END INSTANCE', '', '', &
       'the program reads flat decks: `litz run` and `litz check` of the Python package place the instances, and'// &
       ' `litz convert THIS.inp NEW.inp` writes the flat deck'), &
-      foreign_word_t('NGEN|NFILL|NCOPY|NMAP|ELGEN|ELCOPY', '', '', &
-      'nodes and elements are written out: litz.Model and litz.build of Python do it, or `litz convert` of a mesh', &
+      foreign_word_t('NGEN|NFILL|NCOPY|ELGEN|ELCOPY|SYSTEM', '', '', '`litz run`, `check` and `convert`'// &
+      ' of the Python package write out the nodes and elements, with the parameters that docs/tutorials/deck.md'// &
+      ' names alone', &
       role_mesh), &
-      foreign_word_t('SYSTEM', '', '', 'coordinates are global; *TRANSFORM gives supports and loads axes of their'// &
-      ' own'), &
+      foreign_word_t('NMAP', '', '', 'write the coordinates of the nodes', &
+      role_mesh), &
       foreign_word_t('NORMAL', '', '', 'leave it out: the second data line of'// &
       ' *BEAM SECTION is the first axis of the section'), &
       foreign_word_t('ORIENTATION', '', '', 'leave it out: it is of no use to beams, whose first axis is the second'// &
@@ -120,13 +121,15 @@ module litz_foreign_words
       foreign_word_t('STATIC', 'STABILIZE|ALLSDTOL|FACTOR|CONTINUE', '', 'use *CONTROLS, PARAMETERS=STABILIZE'), &
       foreign_word_t('STATIC', 'SOLVER', '', 'use *SOLVER, NAME=...'), &
       foreign_word_t('STEP', 'PERTURBATION', '', 'every step is nonlinear: leave it out'), &
-      foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE defines other histories'), &
+      foreign_word_t('STEP', 'AMPLITUDE', '', 'values ramp over the step; *AMPLITUDE defines other histories,'// &
+      ' which `litz convert THIS.inp NEW.inp` writes for AMPLITUDE=STEP'), &
       foreign_word_t('STEP', 'UNSYMM|EXTRAPOLATION|CONVERT SDI|SOLVER', '', 'leave it out: litz chooses'// &
       ' automatically'), &
       foreign_word_t('RIGID BODY', 'ROT NODE', '', 'REF NODE has the rotations, too: degrees of freedom 4-6'), &
       foreign_word_t('RIGID BODY', 'ELSET|ANALYTICAL SURFACE', '', 'give the nodes, by TIE NSET=... or PIN NSET=...'), &
       foreign_word_t('RIGID BODY', 'POSITION|ISOTHERMAL', '', 'leave it out: the reference node stays where it is'), &
-      foreign_word_t('NODE', 'SYSTEM', '', 'coordinates are Cartesian: write x, y, z'), &
+      foreign_word_t('NODE', 'SYSTEM', '', 'the program reads Cartesian coordinates: `litz run`, `litz check` and'// &
+      ' `litz convert` of the Python package take cylindrical (C) and spherical (S) ones'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
       ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &

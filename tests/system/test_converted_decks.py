@@ -199,10 +199,6 @@ def test_parameters_that_say_what_litz_does_anyway_are_taken_away(convert, litz,
     assert done.returncode == 0, done.stderr
     assert all(word not in new for word in ("relative", "DISPLACEMENT", "RAMP"))
     assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
-    # values that are there at once are another matter: they stay, and the program refuses them
-    _, new = convert(CAE.replace("name=Load, nlgeom=YES", "name=Load, nlgeom=YES, amplitude=STEP"))
-    assert "amplitude=STEP" in new
-    assert litz("check", "new.inp", cwd=tmp_path).returncode == 1
 
 
 def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, litz, tmp_path):
@@ -216,6 +212,34 @@ def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, l
     assert done.stderr.count("*CONTROLS: increments and iterations are controlled otherwise") == 1
     assert re.findall(r"^\*Controls.*", new, re.MULTILINE) == ["*Controls, parameters=TIME INCREMENTATION"]
     assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
+
+
+def test_loads_that_are_there_at_once_have_an_amplitude(convert, litz, tmp_path):
+    """They are there in the first increment, at a quarter of the time; one with an amplitude of its own has a quarter."""
+    text = CAE.replace("name=Load, nlgeom=YES", "name=Load, nlgeom=YES, amplitude=STEP").replace("Amp-1", "At_once")
+    text = text.replace("*Cload", "*Cload\nTip-2, 2, 3e-3\n*Cload").replace(
+        "1., 1., 1e-05, 1.", "0.25, 1., 1e-05, 0.25"
+    )
+    done, new = convert(text)
+    assert done.returncode == 0, done.stderr
+    assert "AMPLITUDE=STEP of *STEP is *AMPLITUDE, NAME=AT_ONCE_0 of its loads" in done.stderr
+    assert litz("run", "new.inp", "-o", "out", cwd=tmp_path).returncode == 0
+    results = Results(tmp_path / "out")
+    assert results.times[1] == 0.25
+    np.testing.assert_allclose(results.field("applied_force", 1).max(axis=0), [0, 3e-3, 0.25 * 2e-3], rtol=1e-12)
+
+
+def test_rounded_corners_of_amplitudes_are_tables(convert):
+    """Parabolas take a quarter of the shorter interval on either side of a corner: at 0.5 the middle of the tangents' ends."""
+    text = CAE.replace("name=Amp-1\n0., 0., 1., 1.\n", "name=Amp-1, smooth=0.25\n 0., 0., 1., 1.,\n 3., 0.\n")
+    done, new = convert(text)
+    assert done.returncode == 0, done.stderr
+    points = new.split("*Amplitude, name=Amp-1\n")[1].split("*")[0].replace("\n", ",")
+    times, factors = np.reshape([float(value) for value in points.split(",") if value.strip()], (-1, 2)).T
+    assert (np.diff(times) > 0).all()
+    assert np.interp([0, 0.75, 1.25, 3], times, factors) == pytest.approx([0, 0.75, 0.875, 0])
+    # from slope 1 to slope -1/2 over 0.5: half-way it has the mean slope and is below the corner by 1.5 * 0.5 / 8
+    assert np.interp(1, times, factors) == pytest.approx(1 - 1.5 * 0.5 / 8)
 
 
 def test_smooth_steps_are_tables(convert, litz, tmp_path):

@@ -79,6 +79,8 @@ class _Mesh:
         self.sets: dict[tuple[str, str], list[int]] = defaultdict(list)
         #: Origin and axes (columns) of `*SYSTEM`
         self.axes: tuple[NDArray, NDArray] | None = None
+        #: Whether some card stays as it is, whose nodes or elements are not known
+        self.lacks_some = False
         self.makers: dict[str, Callable[[Card], list[Card]]] = {
             "NGEN": self._between_nodes,
             "NFILL": self._between_sets,
@@ -91,8 +93,13 @@ class _Mesh:
     def read(self, card: Card) -> list[Card]:
         """What is to stand in place of the card."""
         try:
-            return self._read(card)
+            made = self._read(card)
+            self.lacks_some = self.lacks_some or (bool(made) and made[0] is card and is_generating(card))
+            return made
         except (ValueError, TypeError, IndexError, KeyError, FileError) as error:
+            if self.lacks_some:
+                # the program tells of the first one
+                return [card]
             reason = f"there is no number {error}" if isinstance(error, KeyError) else error
             raise InputError(f"*{card.name} cannot be read: {reason}\n --> {self.path}:{card.line}") from None
 
@@ -276,9 +283,7 @@ class _Mesh:
             new[kind][number + _whole(card["ELEMENT SHIFT"])] = [node + shift for node in nodes]
         return self._elements_with_set(new, card.get("NEW SET"), [])
 
-    def _elements_with_set(
-        self, new: dict[str, dict[int, list[int]]], name: Value, others: list[int]
-    ) -> list[Card]:
+    def _elements_with_set(self, new: dict[str, dict[int, list[int]]], name: Value, others: list[int]) -> list[Card]:
         """New elements by their type, that are in a set with others."""
         in_set = {} if name is None else {"ELSET": name}
         cards = [
@@ -324,7 +329,9 @@ def _on_arc(a: NDArray, b: NDArray, centre: NDArray, normal: Sequence[Value], sh
     one, other = a - centre, b - centre
     radius = np.linalg.norm(one)
     if not np.isclose(np.linalg.norm(other), radius, rtol=1e-3):
-        raise ValueError(f"its ends have distances of {radius:g} and {np.linalg.norm(other):g} from the centre of the arc")
+        raise ValueError(
+            f"its ends have distances of {radius:g} and {np.linalg.norm(other):g} from the centre of the arc"
+        )
     given = _numbers(normal, 3)
     axis = given if given.any() else np.cross(one, other)
     if not np.linalg.norm(axis) > 1e-9 * radius**2 and not given.any():

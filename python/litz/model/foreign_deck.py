@@ -24,6 +24,7 @@ from .kinematic_couplings import couplings_as_rigid_bodies
 from .materials import General, Material
 from .multi_point_constraints import constraints_as_rigid_bodies
 from .smooth_steps import smooth_steps_as_tables
+from .steps_at_once import steps_at_once
 from .unused_definitions import unused_definitions
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
@@ -85,10 +86,10 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     converted.ignored += [*couplings_as_rigid_bodies(cards), *foreign_bodies(cards)]
     for change in (distributing_couplings_as_equations(cards), constraints_as_rigid_bodies(cards, dialect, path)):
         converted.tell(change)
-    surfaces = list(surfaces_as_sets(cards))
     converted.tell(remove_foreign_parameters(cards))
-    converted.ignored += [*smooth_steps_as_tables(cards), *history_requests_as_prints(cards)]
+    converted.ignored += [*smooth_steps_as_tables(cards), *steps_at_once(cards), *history_requests_as_prints(cards)]
     converted.left_out += pressures_as_forces(cards, dialect, path)
+    surfaces = list(surfaces_as_sets(cards))
     chunks = [_converted(card, dialect, materials, path) for card in cards]
     commented = {place for place, _, _ in surfaces}
     for place, new, reason in surfaces:

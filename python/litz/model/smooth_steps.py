@@ -1,12 +1,14 @@
-"""Amplitudes of Abaqus that are smooth steps, as tables of litz."""
+"""Amplitudes of Abaqus that are smooth steps, or tables with rounded corners, as tables of litz."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 from ..deck import Card
 
 #: Pieces of a table for each smooth step: with these it is off by 0.2 % of the change
 _PIECES = 20
+#: The same for a rounded corner, and the largest share of an interval that one may take
+_PIECES_OF_CORNERS, _MOST_ROUNDED = 8, 0.5
 #: Times and factors on a data line
 _ON_A_LINE = 8
 
@@ -22,20 +24,58 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
         if definition == "TABULAR":
             del card["DEFINITION"]
         elif "".join(definition.split()) == "SMOOTHSTEP":
-            # a comma may end a line, and a factor that is left out is 0
-            points = [
-                (float(row[i] or 0), float((*row, None)[i + 1] or 0))
-                for row in card.data
-                for i in range(0, len(row), 2)
-                if row[i] is not None
-            ]
             del card["DEFINITION"]
-            table = list(_table(points))
-            card.data = [table[i : i + _ON_A_LINE] for i in range(0, len(table), _ON_A_LINE)]
+            _write(card, _table(_points(card)))
             yield (
                 f"DEFINITION=SMOOTH STEP of *AMPLITUDE, NAME={card.get('NAME')} is a table of {_PIECES} pieces for each step,"
                 " off by 0.2 % of the change; increments end at their ends"
             )
+        if card.is_a("AMPLITUDE") and "SMOOTH" in card and definition in ("", "TABULAR"):
+            share = float(card["SMOOTH"])
+            if 0 <= share <= _MOST_ROUNDED:
+                del card["SMOOTH"]
+                _write(card, _rounded(_points(card), share))
+                yield (
+                    f"SMOOTH={share:g} of *AMPLITUDE, NAME={card.get('NAME')}: its rounded corners are a table of"
+                    f" {_PIECES_OF_CORNERS} pieces each; increments end at their ends"
+                )
+
+
+def _points(card: Card) -> list[tuple[float, float]]:
+    """Times and factors; a comma may end a line, and a factor that is left out is 0."""
+    return [
+        (float(row[i] or 0), float((*row, None)[i + 1] or 0))
+        for row in card.data
+        for i in range(0, len(row), 2)
+        if row[i] is not None
+    ]
+
+
+def _write(card: Card, values: Iterable[float]) -> None:
+    table = list(values)
+    card.data = [table[i : i + _ON_A_LINE] for i in range(0, len(table), _ON_A_LINE)]
+
+
+def _rounded(points: list[tuple[float, float]], share: float) -> Iterator[float]:
+    """Times and factors in turn, with parabolas that are tangent to both lines at each corner.
+
+    Source: Abaqus, amplitude curves, SMOOTH: the part of the shorter interval beside a corner that they take on either side.
+    """
+    yield from points[0]
+    last = points[0][0]
+    for (t0, a0), (t1, a1), (t2, a2) in zip(points, points[1:], points[2:], strict=False):
+        reach = share * min(t1 - t0, t2 - t1)
+        before, after = (a1 - a0) / (t1 - t0), (a2 - a1) / (t2 - t1)
+        for i in range(_PIECES_OF_CORNERS + 1) if reach > 0 else [0]:
+            s = 2 * reach * i / _PIECES_OF_CORNERS
+            time = float(f"{t1 - reach + s:.12g}")
+            # corners that take half of an interval share a point in its middle
+            if time > last:
+                yield time
+                yield float(f"{a1 - before * (reach - s) + (after - before) * s * (i / _PIECES_OF_CORNERS) / 2:.12g}")
+            last = time
+    if points[-1][0] > last:
+        yield from points[-1]
 
 
 def _table(points: list[tuple[float, float]]) -> Iterator[float]:

@@ -121,7 +121,9 @@ def _wanted(results: Results) -> list[_Wanted]:
 def _bends(results: Results) -> bool:
     """Whether wires bend by more than round-off: the moments of their section forces over an element."""
     moment = max(float(np.abs(results.field(f"bending_moment_{axis}")).max(initial=0)) for axis in (2, 3))
-    forces = [results.field(name) for name in ("axial_force", "shear_force_2", "shear_force_3")] + [results.contacts["force"]]
+    forces = [results.field(name) for name in ("axial_force", "shear_force_2", "shear_force_3")] + [
+        results.contacts["force"]
+    ]
     force = max(float(np.abs(one).max(initial=0)) for one in forces)
     ends = results.nodes[results.elements]
     return moment > _ROUND_OFF * force * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).max(initial=0))
