@@ -14,6 +14,10 @@ STEP = "*Step, name=Step-1, nlgeom=NO"
 STATIC = "*Static\n1., 1., 1e-05, 1."
 LOAD = "*Cload, amplitude=Amp-1\nSet-2, 3, 1."
 SECTION = "*Beam Section, elset=_PickedSet4, material=Steel, temperature=GRADIENTS, section=CIRC\n2.\n0.,0.,-1."
+LAST = "      4,          30.,           0.,           0.\n"
+BETWEEN = (
+    f"      2,          10.,           0.,           0.\n      3,          20.,           0.,           0.\n{LAST}"
+)
 BEHIND = "*Node\n 9, 35., 0., 5.\n*Nset, nset=RP\n 9\n"
 
 
@@ -62,7 +66,7 @@ DECKS = {
     "total time": (flat("name=Amp-1", "name=Amp-1, time=TOTAL TIME"), ""),
     "periodic": (flat("name=Amp-1\n0., 0., 1., 1.", "name=Amp-1, definition=PERIODIC\n1, 6., 0., 0.\n0., 1."), "point by point"),
     "parameters": (flat("*Heading", "*Parameter\n r = 2.\n*Heading"), "litz has no *PARAMETER"),
-    "generated nodes": (flat("2,          10.,           0.,           0.\n      3,          20.,           0.,           0.\n      4,          30.,           0.,           0.\n", "4, 30., 0., 0.\n*Ngen\n1, 4, 1\n"), ""),
+    "generated nodes": (flat(BETWEEN, f"{LAST}*Ngen\n1, 4, 1\n"), ""),
     "generated nodes along axes": (flat(STEP, f"*Ngen, system=C\n1, 4, 1\n{STEP}"), "litz has no *NGEN"),
     "cylindrical": (flat("*Node\n", "*Node, system=C\n"), ""),
     "unsorted": (flat("*Nset, nset=Set-2", "*Nset, nset=Set-2, unsorted"), ""),

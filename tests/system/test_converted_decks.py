@@ -220,7 +220,7 @@ def test_loads_that_are_there_at_once_have_an_amplitude(convert, litz, tmp_path)
     text = text.replace("*Cload", "*Cload\nTip-2, 2, 3e-3\n*Cload").replace(
         "1., 1., 1e-05, 1.", "0.25, 1., 1e-05, 0.25"
     )
-    done, new = convert(text)
+    done, _ = convert(text)
     assert done.returncode == 0, done.stderr
     assert "AMPLITUDE=STEP of *STEP is *AMPLITUDE, NAME=AT_ONCE_0 of its loads" in done.stderr
     assert litz("run", "new.inp", "-o", "out", cwd=tmp_path).returncode == 0

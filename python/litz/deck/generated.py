@@ -175,7 +175,7 @@ class _Mesh:
     def _system(self, card: Card) -> list[Card]:
         """Axes of the nodes that follow: origin, a point on the first axis, one near the second axis.
 
-        Source: Abaqus, `*SYSTEM`; without the third point the second axis is at right angles to the first in the plane of x and y.
+        Source: Abaqus, `*SYSTEM`; without the third point the second axis is in the plane of x and y, at right angles to it.
         """
         values = [_numbers(row, 6 if i == 0 else 3) for i, row in enumerate(card.data)]
         self.axes = None
@@ -196,7 +196,8 @@ class _Mesh:
         line = str(card.get("LINE", "")).upper()
         if line not in ("", "P", "C"):
             return [card]
-        new, ends = {}, []
+        new: dict[int, list[float]] = {}
+        ends: list[int] = []
         for row in card.data:
             first, last, step = _whole(row[0]), _whole(row[1]), _whole((*row, None, None)[2], 1)
             if step == 0 or (last - first) % step or (last - first) // step < 1:
@@ -227,7 +228,8 @@ class _Mesh:
 
     def _between_sets(self, card: Card) -> list[Card]:
         """`*NFILL`: nodes at equal distances between each two of two sets."""
-        new, ends = {}, []
+        new: dict[int, list[float]] = {}
+        ends: list[int] = []
         for row in card.data:
             pairs = zip(*(self._members_of_set("NSET", value) for value in row[:2]), strict=False)
             count, step = _whole((*row, None)[2], 1), _whole((*row, None, None)[3], 1)
@@ -243,7 +245,8 @@ class _Mesh:
             return [card]
         numbers = self._members_of_set("NSET", card["OLD SET"])
         places = np.array([self.places[number] for number in numbers])
-        change, new = _whole(card["CHANGE NUMBER"]), {}
+        change = _whole(card["CHANGE NUMBER"])
+        new: dict[int, list[float]] = {}
         for i in range(1, _whole(card.get("MULTIPLE", 1)) + 1):
             places = placed(places, card, self.path)
             new |= {number + i * change: place for number, place in zip(numbers, places.tolist(), strict=True)}

@@ -53,7 +53,7 @@ def flat_cards(path: Path) -> list[Card]:
 
 
 def is_rearranged(path: Path) -> bool:
-    """Whether a deck, or what it includes, has parts or generates nodes; decks of millions of lines stay in one piece for that."""
+    """Whether a deck, or what it includes, has parts or generates nodes; long ones are not taken to pieces for that."""
     waiting, seen = [path], set()
     while waiting:
         path = waiting.pop()
@@ -70,7 +70,7 @@ def is_rearranged(path: Path) -> bool:
 
 @contextmanager
 def flat_deck(path: Path) -> Iterator[Path]:
-    """A deck that the program reads: the same, or a temporary one of the same name where there are parts to place, or nodes to generate."""
+    """A deck that the program reads: the same, or a temporary one of its name with parts placed and nodes written out."""
     if not is_rearranged(path):
         yield path
         return

@@ -282,7 +282,7 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
         bars.append(((0.0, scene.line_limit or 1.0), line_colours(), scene.line_title))
     share, gap = 0.42 / len(bars), 0.02 if len(bars) == 1 else 0.04
     room = 72 * (share - 0.01) * width * figure.get_figwidth()
-    for place, (limits, colours, text) in enumerate(bars):
+    for place, (limits, colours, title) in enumerate(bars):
         start = left + (0.04 + place * share) * width
         bar_axes = figure.add_axes((start, bottom - 0.30 * inch, (share - gap) * width, 0.13 * inch))
         power = _power_of_ten(limits)
@@ -290,7 +290,7 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
         bar = figure.colorbar(mpl.cm.ScalarMappable(in_powers, colours), cax=bar_axes, orientation="horizontal")
         bar.locator = mpl.ticker.MaxNLocator(6 // len(bars))
         bar.formatter.set_powerlimits((-9, 9))
-        text = _times_power(text, power)
+        text = _times_power(title, power)
         # the name of a scale stays within its share
         size = float(mpl.rcParams["font.size"])
         bar.set_label(text, size=size * min(1.0, room / text_width(text, size)))
