@@ -134,6 +134,20 @@ class TestZones:
         assert (found["wire_1"], found["wire_2"]) == tuple(str(zones[f"wire_{k}"][picked] + 1) for k in (1, 2))
 
     @pytest.mark.slow
+    @pytest.mark.parametrize("width", [1300, 900])
+    def test_both_bars_stand_beside_each_other_in_the_room_below_the_model(self, browser, strand, width):
+        browser.set_window_size(width, 800)
+        load(browser, strand.url)
+        bars = browser.execute_script(
+            "return [...document.querySelectorAll('.litz-colours .bar')].map((bar) => bar.getBoundingClientRect().toJSON())"
+        )
+        picture = browser.execute_script(
+            "return document.querySelector('.litz-picture').getBoundingClientRect().toJSON()"
+        )
+        assert bars[0]["top"] == bars[1]["top"] > picture["bottom"] - 100
+        assert bars[0]["right"] < bars[1]["left"]
+        assert bars[1]["right"] < picture["right"] - 190
+
     def test_the_colours_of_the_lines_have_a_bar_of_their_own(self, browser, strand):
         load(browser, strand.url)
         bar = browser.find_element("css selector", ".litz-zone-colours")

@@ -3,7 +3,10 @@
 import { Vector3 } from "three";
 import { engineering } from "litz/data.js";
 
-/** Draw the colour bar: a gradient with five numbers. */
+// Width of a colour bar that has room for five numbers [pixels]
+const WIDE_BAR = 250;
+
+/** Draw the colour bar: a gradient with five numbers, or three where it is narrow. */
 export function drawColourBar(element, table, limits, text, unit) {
    const [factor, symbol] = engineering(Math.max(...limits.map(Math.abs)), unit);
    const colours = Array.from({ length: 17 }, (_, k) => {
@@ -12,7 +15,8 @@ export function drawColourBar(element, table, limits, text, unit) {
    });
    element.querySelector(".bar").style.background = `linear-gradient(to right, ${colours.join(", ")})`;
    element.querySelector(".title").textContent = symbol ? `${text} [${symbol}]` : text;
-   element.querySelector(".numbers").replaceChildren(...[0, 0.25, 0.5, 0.75, 1].map((part) => {
+   const parts = element.clientWidth < WIDE_BAR ? [0, 0.5, 1] : [0, 0.25, 0.5, 0.75, 1];
+   element.querySelector(".numbers").replaceChildren(...parts.map((part) => {
       const value = factor * (limits[0] + part * (limits[1] - limits[0]));
       const span = document.createElement("span");
       span.textContent = Math.abs(value) < 1e-12 * factor * Math.abs(limits[1]) ? "0" : Number(value.toPrecision(3));

@@ -91,10 +91,10 @@ class Viewer {
       this.tubes.setValues(ends);
       this.prisms.setValues(ends);
       this.tubes.setColours(this.tables[colours], limits);
-      drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
       this.surfaces.move(data.surfaces, factor);
       this.updateSpots(factor);
       this.updateZones(factor);
+      drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
       this.reference.visible = this.find("with-reference").checked;
       this.ledger.show(data.contacts, data.zones);
       this.stage.draw();
