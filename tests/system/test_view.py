@@ -133,7 +133,6 @@ class TestZones:
         assert found["force_per_length"] == in_words(zones["force_per_length"][picked], "N/m")
         assert (found["wire_1"], found["wire_2"]) == tuple(str(zones[f"wire_{k}"][picked] + 1) for k in (1, 2))
 
-    @pytest.mark.slow
     @pytest.mark.parametrize("width", [1300, 900])
     def test_both_bars_stand_beside_each_other_in_the_room_below_the_model(self, browser, strand, width):
         browser.set_window_size(width, 800)
@@ -148,6 +147,7 @@ class TestZones:
         assert bars[0]["right"] < bars[1]["left"]
         assert bars[1]["right"] < picture["right"] - 190
 
+    @pytest.mark.slow
     def test_the_colours_of_the_lines_have_a_bar_of_their_own(self, browser, strand):
         load(browser, strand.url)
         bar = browser.find_element("css selector", ".litz-zone-colours")

@@ -242,6 +242,14 @@ class TestCommand:
         assert again.returncode == FileError.exit_code
         assert "is not overwritten" in again.stderr
 
+    def test_input_of_feap_begins_with_the_letter_that_feappv_asks_for(self, tmp_path):
+        deck = tmp_path / "wires.inp"
+        deck.write_text(CROSSED.read_text())
+        done = self.call("feap", deck)
+        assert f"wrote {tmp_path}/Iwires" in done.stdout
+        assert "NONE" not in done.stdout
+        assert "to a file NONE" in self.call("feap", deck, "-o", tmp_path / "wires.txt").stdout
+
     @pytest.mark.slow
     def test_it_says_what_there_is(self, tmp_path):
         assert self.call("nastran", CROSSED).returncode == 1

@@ -9,11 +9,11 @@ from ..results.exports import export
 from ..results.history_table import history_table
 from .parsers import command_parser, results_parser
 
-#: Programs for which models are written, and the endings of their input files
+#: Programs for which models are written, and the names of their input files, of that of the deck
 _HOSTS = {
-    "feap": (feap_input, "_feap.txt"),
-    "abaqus": (abaqus_input, "_abaqus.inp"),
-    "ccx": (ccx_input, "_ccx.inp"),
+    "feap": (feap_input, "I{}"),
+    "abaqus": (abaqus_input, "{}_abaqus.inp"),
+    "ccx": (ccx_input, "{}_ccx.inp"),
 }
 
 
@@ -42,7 +42,7 @@ def _export_model(arguments: list[str]) -> int:
     parser.add_argument("program", choices=_HOSTS, help="feap, abaqus or ccx")
     parser.add_argument("deck", metavar="DECK", help="deck of wires with round sections")
     parser.add_argument(
-        "-o", "--output", type=Path, metavar="FILE", help="default: DECK_feap.txt, DECK_abaqus.inp or DECK_ccx.inp"
+        "-o", "--output", type=Path, metavar="FILE", help="default: IDECK for FEAP, whose input begins with I; DECK_abaqus.inp or DECK_ccx.inp"
     )
     parser.add_argument(
         "--reach",
@@ -53,13 +53,13 @@ def _export_model(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if options.reach is not None and not options.reach > 0:
         parser.error(f"--reach must be greater than 0, not {options.reach:g}")
-    write, ending = _HOSTS[options.program]
+    write, name = _HOSTS[options.program]
     deck = Path(options.deck)
     try:
         model = read_host_model(deck, options.reach)
     except ValueError as error:
         parser.error(str(error))
-    path = options.output or deck.with_name(deck.stem + ending)
+    path = options.output or deck.with_name(name.format(deck.stem))
     if path.exists():
         raise FileError(f"{path} exists already and is not overwritten; choose another name with -o")
     text = write(model)
@@ -75,7 +75,9 @@ def _export_model(arguments: list[str]) -> int:
     else:
         n_pairs = len(model.pairs)
         print(f", {n_pairs} pair{'s' * (n_pairs != 1)} that may touch")
-        print("how to build the program with the elements: docs/user_element.md")
+        print("how to build the program with the elements, and to run it: docs/user_element.md")
+        if options.program == "feap" and not path.name.startswith("I"):
+            print("FEAPpv writes to a file NONE where the name of its input does not begin with I")
     return 0
 
 
