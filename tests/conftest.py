@@ -10,6 +10,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -28,6 +29,9 @@ def load_numpy_with_one_thread():
 
 
 load_numpy_with_one_thread()
+
+# another ninja than that of the environment would build all anew, and the next import of litz once more
+os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", os.defpath)])
 
 
 def find_program() -> Path:

@@ -41,6 +41,8 @@ COMMANDS = {
 #: The deck in the picture of the viewer, the contact that is selected, and the size of the window
 VIEWED, SELECTED = "12_woven_fabric", 144
 WINDOW = (1300, 840)
+#: Of a picture with all colours
+MOST_BYTES = 250_000
 
 
 def main(wanted):
@@ -97,10 +99,12 @@ def run(tutorial, folder):
 
 
 def keep_small(source, target):
-    """A picture with 256 colours, which is all that drawings need."""
+    """A picture with its colours, or with the 256 that it needs most where that would be large."""
     picture = Image.open(source).convert("RGB")
-    # without further rounds there are many greys, and steps in the bars of colours
-    picture.quantize(256, kmeans=3, dither=Image.Dither.NONE).save(target, optimize=True)
+    picture.save(target, optimize=True)
+    if target.stat().st_size > MOST_BYTES:
+        # without further rounds there are many greys, and bars of colours in steps
+        picture.quantize(256, kmeans=3, dither=Image.Dither.NONE).save(target, optimize=True)
     print(target.relative_to(ROOT))
 
 

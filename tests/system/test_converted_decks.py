@@ -214,6 +214,13 @@ def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, l
     assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
 
 
+def test_new_numbers_of_instances_are_told(convert):
+    _, new = convert(CAE)
+    assert "** nodes of Bar-2: 1-3 are 4-6 here\n*Node\n" in new
+    assert "** elements of Bar-2: 1-2 are 3-4 here\n*Element, type=B33\n" in new
+    assert "of Bar-1:" not in new
+
+
 def test_loads_that_are_there_at_once_have_an_amplitude(convert, litz, tmp_path):
     """They are there in the first increment, at a quarter of the time; one with an amplitude of its own has a quarter."""
     text = CAE.replace("name=Load, nlgeom=YES", "name=Load, nlgeom=YES, amplitude=STEP").replace("Amp-1", "At_once")

@@ -42,7 +42,11 @@ def _export_model(arguments: list[str]) -> int:
     parser.add_argument("program", choices=_HOSTS, help="feap, abaqus or ccx")
     parser.add_argument("deck", metavar="DECK", help="deck of wires with round sections")
     parser.add_argument(
-        "-o", "--output", type=Path, metavar="FILE", help="default: IDECK for FEAP, whose input begins with I; DECK_abaqus.inp or DECK_ccx.inp"
+        "-o",
+        "--output",
+        type=Path,
+        metavar="FILE",
+        help="default: IDECK for FEAP, whose input begins with I; DECK_abaqus.inp or DECK_ccx.inp",
     )
     parser.add_argument(
         "--reach",

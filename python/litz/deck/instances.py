@@ -4,6 +4,7 @@ import re
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,8 @@ _ON_NODES = ("BOUNDARY", "CLOAD", "CECURRENT", "CFLUX", "TEMPERATURE", "INITIAL 
 _ON_ELEMENTS = ("DLOAD", "LORENTZ", "DFLUX", "FILM", "RADIATE", "SURFACE")
 #: Cards that have no meaning where the instances are placed
 _STRUCTURE = ("ASSEMBLY", "END ASSEMBLY")
+#: Of new numbers in a comment
+_MOST_RANGES = 8
 
 
 def deck_cards(deck: Deck) -> Iterator[Card]:
@@ -94,6 +97,15 @@ def flat_text(path: Path) -> str:
 
 def _stripped(lines: Iterable[str]) -> list[str]:
     return [line.rstrip("\r\n") for line in lines]
+
+
+def _ranges(numbers: Sequence[int]) -> str:
+    """Numbers in their order, those that follow each other as a range; the first and the last where there are many."""
+    breaks = [0, *(i for i in range(1, len(numbers)) if numbers[i] != numbers[i - 1] + 1), len(numbers)]
+    parts = [numbers[first:last] for first, last in pairwise(breaks)]
+    if len(parts) > _MOST_RANGES:
+        return f"{numbers[0]}, {numbers[1]} ... {numbers[-1]} ({len(numbers)})"
+    return ", ".join(f"{part[0]}-{part[-1]}" if len(part) > 1 else f"{part[0]}" for part in parts)
 
 
 class _Instances:
@@ -266,6 +278,11 @@ class _Instances:
             numbers[instance.upper(), row[0]] = new
             others = [self._item(node, self.nodes, instance) for node in row[1:]] if card.is_a("ELEMENT") else row[1:]
             new_rows.append([new, *others])
+        if clash and instance:
+            kind = "nodes" if card.is_a("NODE") else "elements"
+            old = [row[0] for row in rows if isinstance(row[0], int)]
+            new_numbers = range(highest - len(old) + 1, highest + 1)
+            card.comments.append(f"** {kind} of {instance}: {_ranges(old)} are {_ranges(new_numbers)} here\n")
         rewrite(card, new_rows)
 
     def _collect(self, card: Card, instance: str, prefix: str) -> None:
