@@ -3,8 +3,10 @@
 import sys
 from types import SimpleNamespace
 
+import matplotlib as mpl
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 from PIL import Image
@@ -96,6 +98,23 @@ class TestColours:
         heat = grid.field("joule_heat")
         assert scene.title == "joule heat [µW]"
         np.testing.assert_allclose(scene.limits, (1e6 * heat.min(), 1e6 * heat.max()))
+
+    def test_the_names_of_two_bars_stay_apart(self, run_of_input):
+        """A moment that is round-off has a small unit, and a power of ten in its name."""
+        results = litz.Results(run_of_input("15_lap_joint"))
+        scene = SceneMaker(results, [-1], "bending_moment").scene(-1)
+        camera = aim(scene.outline, scene.reach, 1.4)
+        figure = Figure(figsize=(10, 7))
+        FigureCanvasAgg(figure)
+        with mpl.rc_context(plots.STYLE):
+            plots.place_wires(figure, (0.01, 0.13, 0.98, 0.76), scene, camera, None, 1.0)
+            figure.draw_without_rendering()
+        names = [axes.xaxis.label for axes in figure.axes if axes.get_xlabel()]
+        assert [name.get_text().split(" [")[0] for name in names] == ["bending moment, magnitude", "force per length"]
+        first, second = (name.get_window_extent() for name in names)
+        assert first.x0 > 0
+        assert first.x1 < second.x0
+        assert not any(axes.xaxis.offsetText.get_text() for axes in figure.axes)
 
     def test_several_increments_share_one_range(self, grid):
         increments = range(len(grid.times))

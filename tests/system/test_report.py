@@ -56,6 +56,12 @@ class TestPage:
         place = worst.argmax()
         assert f"currents {worst.max():.2g} {grid.steps[place]}:{grid.increments[place]}" in plain(page)
 
+    def test_moments_that_are_round_off_have_no_picture(self, page, run_of_input, tmp_path):
+        """The wires of a lap joint are pressed without bending."""
+        lap = litz.report(run_of_input("15_lap_joint"), tmp_path / "lap.html").read_text(encoding="utf-8")
+        assert "Bending moment." in page
+        assert "Bending moment." not in lap
+
     def test_what_goes_in_comes_out(self, page, grid):
         entering = grid.field("reaction_current")
         shown = report_tables.amount(entering[entering > 0].sum(), "A")
