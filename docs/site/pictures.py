@@ -42,7 +42,7 @@ COMMANDS = {
 VIEWED, SELECTED = "12_woven_fabric", 144
 WINDOW = (1300, 840)
 #: Of a picture with all colours
-MOST_BYTES = 250_000
+MOST_BYTES = 400_000
 
 
 def main(wanted):

@@ -78,7 +78,10 @@ module litz_foreign_words
 
    !> Keywords about materials, contact, loads and results
    type(foreign_word_t), parameter :: of_laws(*) = [ &
-      foreign_word_t('DAMPING', '', '', 'leave it out: there is no inertia'), &
+      foreign_word_t('DAMPING', '', '', 'leave it out: there is no inertia', &
+      role_idle), &
+      foreign_word_t('SECTION CONTROLS', '', '', 'leave it out: beams have none of what it controls', &
+      role_idle), &
       foreign_word_t('PLASTIC|HYPERELASTIC|DEFORMATION PLASTICITY|CYCLIC HARDENING|USER MATERIAL|DEPVAR', '', '', &
       'beams are elastic: use *ELASTIC; contact spots may yield (*SURFACE BEHAVIOR, YIELD)'), &
       foreign_word_t('SURFACE|NODE SURFACE|SURFACE DEFINITION', '', '', &

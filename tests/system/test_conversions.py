@@ -18,13 +18,17 @@ LAST = "      4,          30.,           0.,           0.\n"
 BETWEEN = (
     f"      2,          10.,           0.,           0.\n      3,          20.,           0.,           0.\n{LAST}"
 )
+MASS = "*Element, type=MASS, elset=M\n10, 4\n*Mass, elset=M\n0.5,\n"
 BEHIND = "*Node\n 9, 35., 0., 5.\n*Nset, nset=RP\n 9\n"
 
 
-def flat(old, new):
-    """A cantilever of Abaqus/CAE with one card changed."""
-    assert old in FLAT
-    return "abaqus", FLAT.replace(old, new)
+def flat(*changes):
+    """A cantilever of Abaqus/CAE with cards changed: old, new, and so on."""
+    text = FLAT
+    for old, new in zip(changes[::2], changes[1::2], strict=True):
+        assert old in text
+        text = text.replace(old, new)
+    return "abaqus", text
 
 
 def crossed(contact, old="", new=""):
@@ -69,6 +73,17 @@ DECKS = {
     "generated nodes": (flat(BETWEEN, f"{LAST}*Ngen\n1, 4, 1\n"), ""),
     "generated nodes along axes": (flat(STEP, f"*Ngen, system=C\n1, 4, 1\n{STEP}"), "litz has no *NGEN"),
     "cylindrical": (flat("*Node\n", "*Node, system=C\n"), ""),
+    "masses": (flat(STEP, f"{MASS}{STEP}"), ""),
+    "masses with weight": (
+        flat(STEP, f"{MASS}{STEP}", LOAD, f"{LOAD}\n*Dload\n_PickedSet4, GRAV, 9810., 0., 0., -1."),
+        "their weight is missing",
+    ),
+    "what there is no inertia for": (flat("*Elastic", "*Damping, alpha=0.1\n*Elastic"), ""),
+    "section controls": (flat(STEP, f"*Section Controls, name=E, hourglass=STIFFNESS\n1., 1., 1.\n{STEP}"), ""),
+    "equal times": (
+        flat("name=Amp-1\n0., 0., 1., 1.", "name=Amp-1, definition=EQUALLY SPACED, fixed interval=0.5\n0., 0.1, 1."),
+        "",
+    ),
     "unsorted": (flat("*Nset, nset=Set-2", "*Nset, nset=Set-2, unsorted"), ""),
     "fields": (flat(LOAD, f"{LOAD}\n*Field, variable=1\nSet-2, 1."), 'unknown keyword "FIELD"'),
     "removed elements": (flat(LOAD, f"{LOAD}\n*Model Change, remove\n_PickedSet4"), "litz has no *MODEL CHANGE"),

@@ -29,6 +29,9 @@ from .unused_definitions import unused_definitions
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
 
+#: Elements without stiffness, and the cards that give their masses
+_MASSES = ("MASS", "ROTARYI", "ROTARY INERTIA")
+
 
 @dataclass
 class ConvertedDeck:
@@ -114,8 +117,11 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
             converted.left_out.append(f"*{cards[i].name} after *END STEP: it is in no step, and CalculiX ends there")
         chunks[i] = _commented(cards[i], "")
         commented.add(i)
+    has_weight = any(
+        str(value).upper() == "GRAV" for card in cards if card.is_a("DLOAD") for row in card.data for value in row
+    )
     for i, card in enumerate(cards):
-        reason = "" if i in commented else _reason_for_comment(card)
+        reason = "" if i in commented else _reason_for_comment(card, has_weight)
         if reason:
             # the program ignores cards that change no result, too
             (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
@@ -164,8 +170,10 @@ def _known(name: str) -> bool:
     return any(squeezed(name) == squeezed(known) for known in keywords())
 
 
-def _reason_for_comment(card: Card) -> str:
+def _reason_for_comment(card: Card, has_weight: bool) -> str:
     """Why litz cannot take the card; empty: it has the keyword, whose parameters and values it checks itself."""
+    if any(map(card.is_a, _MASSES)) or (card.is_a("ELEMENT") and str(card.get("TYPE", "")).upper() in _MASSES):
+        return f"masses at nodes: {'their weight is missing' if has_weight else 'there is no inertia; ignored'}"
     if card.is_a("CONTROLS") and not _is_taken(card):
         return _CONTROLS
     return "" if _known(card.name) else _advice(card.name)

@@ -14,7 +14,7 @@ _ON_A_LINE = 8
 
 
 def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
-    """Rewrite amplitudes that are smooth steps; what is to be said of each.
+    """Rewrite amplitudes that are smooth steps, rounded, or at equal times; what is to be said of each.
 
     Source: Abaqus, amplitude curves: from (t0, a0) to (t1, a1) it is a0 + (a1 - a0) s^3 (10 - 15 s + 6 s^2) of
     s = (t - t0)/(t1 - t0).
@@ -23,6 +23,13 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
         definition = str(card.get("DEFINITION", "")).upper() if card.is_a("AMPLITUDE") else ""
         if definition == "TABULAR":
             del card["DEFINITION"]
+        elif "".join(definition.split()) == "EQUALLYSPACED" and "FIXED INTERVAL" in card:
+            interval, begin = float(card["FIXED INTERVAL"]), float(card.get("BEGIN", 0))
+            factors = [float(value) for row in card.data for value in row if value is not None]
+            for name in ("DEFINITION", "FIXED INTERVAL", *["BEGIN"] * ("BEGIN" in card)):
+                del card[name]
+            _write(card, (value for i, factor in enumerate(factors) for value in (begin + i * interval, factor)))
+            yield f"DEFINITION=EQUALLY SPACED of *AMPLITUDE, NAME={card.get('NAME')} is a table"
         elif "".join(definition.split()) == "SMOOTHSTEP":
             del card["DEFINITION"]
             _write(card, _table(_points(card)))
