@@ -131,8 +131,8 @@ module litz_foreign_words
       foreign_word_t('RIGID BODY', 'ROT NODE', '', 'REF NODE has the rotations, too: degrees of freedom 4-6'), &
       foreign_word_t('RIGID BODY', 'ELSET|ANALYTICAL SURFACE', '', 'give the nodes, by TIE NSET=... or PIN NSET=...'), &
       foreign_word_t('RIGID BODY', 'POSITION|ISOTHERMAL', '', 'leave it out: the reference node stays where it is'), &
-      foreign_word_t('NODE', 'SYSTEM', '', 'the program reads Cartesian coordinates: `litz run`, `litz check` and'// &
-      ' `litz convert` of the Python package take cylindrical (C) and spherical (S) ones'), &
+      foreign_word_t('NODE', 'SYSTEM', '', 'write x, y, z: `litz run`, `check` and `convert` of the Python'// &
+      ' package take cylindrical ones (C), too'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
       ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &

@@ -389,7 +389,7 @@ KEYWORDS = [
         'unknown keyword "AMPLITUDDE"; did you mean *AMPLITUDE?',
         "*AMPLITUDDE",
     ),
-    case("keyword of Abaqus", "*GAP", "*DAMPING\n*GAP", "litz has no *DAMPING: leave it out", "*DAMPING"),
+    case("keyword of Abaqus", "*GAP", "*PLASTIC\n*GAP", "litz has no *PLASTIC: beams are elastic", "*PLASTIC"),
     case("procedure of Abaqus", "*STATIC", "*Dynamic, application=quasi-static", "use *STATIC", "*Dynamic"),
     case(
         "parameter of Abaqus",

@@ -36,10 +36,6 @@ class TestCoordinates:
         found = mesh("*NODE, SYSTEM=C\n1, 2., 90., 5.\n2, 2., 45.\n*NODE\n3, 2., 90., 5.\n")
         assert_places(found, {1: [0, 2, 5], 2: [2 * H, 2 * H, 0], 3: [2, 90, 5]})
 
-    def test_spherical_ones_have_longitude_and_latitude(self, mesh):
-        found = mesh("*NODE, SYSTEM=S\n1, 2., 90., 0.\n2, 2., 0., 90.\n3, 2., 90., 45.\n")
-        assert_places(found, {1: [0, 2, 0], 2: [0, 0, 2], 3: [0, 2 * H, 2 * H]})
-
     def test_axes_of_a_system_are_those_of_the_nodes_that_follow_in_its_part(self, mesh):
         text = (
             "*PART, NAME=P\n*SYSTEM\n1., 0., 0., 1., 1., 0.\n1., 0., 1.\n*NODE\n1, 2., 0., 0.\n2, 0., 2., 0.\n"
@@ -47,6 +43,10 @@ class TestCoordinates:
             "*INSTANCE, NAME=I, PART=P\n0., 0., 10.\n*END INSTANCE\n"
         )
         assert_places(mesh(text), {1: [1, 2, 10], 2: [1, 0, 12], 3: [2, 0, 12], 4: [2, 0, 10]})
+
+    def test_without_a_third_point_z_stays_and_the_first_axis_is_projected(self, mesh):
+        found = mesh("*SYSTEM\n1., 0., 0., 1., 2., 7.\n*NODE\n1, 3., 0., 0.\n2, 0., 3., 0.\n3, 0., 0., 3.\n")
+        assert_places(found, {1: [1, 3, 0], 2: [-2, 0, 0], 3: [1, 0, 3]})
 
     @pytest.mark.parametrize("origin", ["3., 4., 5.", "3., 4., 5., 13., 4., 5."])
     def test_an_origin_alone_moves_them(self, mesh, origin):
@@ -81,6 +81,13 @@ class TestNodes:
         found = mesh(text)
         np.testing.assert_allclose([found.places[11], found.places[12]], [[0, 1, 0], [1, 1, 0]])
         assert found.nodes("ALL") == [1, 2, 11, 12, 21, 22]
+
+    def test_sets_that_are_not_sorted_keep_their_order(self, mesh):
+        text = (
+            "*NODE, NSET=A\n1, 0., 0., 0.\n2, 1., 0., 0.\n*NODE\n21, 0., 2., 0.\n22, 1., 2., 0.\n"
+            "*NSET, NSET=B, UNSORTED\n22, 21\n*NFILL\nA, B, 2, 10\n"
+        )
+        np.testing.assert_allclose(mesh(text).places[11], [0.5, 1, 0])
 
     def test_copies_are_moved_and_turned_again_and_again(self, mesh):
         text = (
@@ -160,6 +167,8 @@ def test_a_ring_of_generated_nodes_bends_as_castigliano_says(tmp_path):
         ("49, 100., 90.", "49, 90., 90.", "*NGEN", "have distances of 100 and 90 from the centre"),
         ("49, 100., 90.", "49, 100., 180.", "*NGEN", "half a turn or a whole one needs a normal"),
         ("*ELGEN, ELSET=RING\n1,", "*ELGEN, ELSET=RING\n2,", "*ELGEN", "there is no number 2"),
+        ("LINE=C", "LINE=C, SYSTEM=C", "*NGEN", "*NGEN cannot be read: its parameters may be NSET, LINE"),
+        ("SYSTEM=C", "SYSTEM=S", "*NODE", "its parameters may be NSET, SYSTEM=R, SYSTEM=C"),
         ("1, 100., 0., 0.", "1, 100., zero, 0.", "*NODE", "could not convert string to float: 'zero'"),
     ],
 )
@@ -171,6 +180,12 @@ def test_what_cannot_be_generated_is_told_with_its_place(tmp_path, old, new, lin
     with pytest.raises(InputError, match=re.escape(message)) as error:
         litz.check(tmp_path / "ring.inp")
     assert f"ring.inp:{number}" in str(error.value)
+
+
+def test_spherical_coordinates_are_refused(tmp_path):
+    (tmp_path / "deck.inp").write_text("*NODE, SYSTEM=S\n1, 2., 90., 0.\n")
+    with pytest.raises(InputError, match=r'unknown parameter "SYSTEM" of \*NODE: .*cylindrical ones \(C\)'):
+        litz.check(tmp_path / "deck.inp")
 
 
 def test_one_that_is_not_known_is_the_only_error_and_its_followers_are_none(tmp_path):

@@ -14,6 +14,7 @@ import litz
 from litz.base.quantities import engineering, label
 from litz.base.table import Table
 from litz.pictures import charts, drawing_process, plots, residual_charts
+from litz.pictures.chart_tools import wire_names
 from litz.pictures.contact_marks import Spots
 from litz.pictures.margins import arrange
 from litz.pictures.scene import SceneMaker, aim
@@ -303,6 +304,13 @@ class TestCharts:
         axes = Figure().add_subplot()
         charts.current_per_wire(axes, results, -1)
         np.testing.assert_allclose([bar.get_height() for bar in axes.patches], [(9 + 18) / 2, (27 + 36) / 2])
+
+    def test_bars_have_the_names_of_their_wires_where_there_is_room(self, results):
+        names = wire_names(results, results.wires)
+        for inches, expected in ((6.4, names), (0.1, None)):
+            axes = Figure(figsize=(inches, 4)).add_subplot()
+            charts.current_per_wire(axes, results, -1)
+            assert ([text.get_text() for text in axes.get_xticklabels()] == expected) == (expected is not None)
 
     def test_the_history_has_a_chart_for_each_quantity(self):
         columns = {"time": "s", "RF1 node 1": "N", "RF2 node 1": "N", "N element 2": "N", "Q3 element 2": "N"}

@@ -61,22 +61,29 @@ def written_out(cards: Iterable[Card], path: Path | None) -> Iterator[Card]:
     outer = mesh = _Mesh(path)
     for card in cards:
         if card.is_a("PART") or card.is_a("INSTANCE"):
-            mesh = _Mesh(path)
+            mesh = _Mesh(path, in_part=True)
         elif card.is_a("END PART") or card.is_a("END INSTANCE"):
             mesh = outer
         yield from mesh.read(card)
 
 
+def _taken_by(card: Card) -> tuple[str, ...]:
+    """Parameters that are known."""
+    return next((taken for name, taken in _TAKEN.items() if card.is_a(name)), ("NSET", "SYSTEM=R", "SYSTEM=C"))
+
+
 class _Mesh:
     """Nodes, elements and sets so far, and what further cards make of them."""
 
-    def __init__(self, path: Path | None):
-        self.path = path or Path("deck")
+    def __init__(self, path: Path | None, *, in_part: bool = False):
+        self.path, self.in_part = path or Path("deck"), in_part
         self.places: dict[int, NDArray] = {}
         #: Type and nodes by number
         self.elements: dict[int, tuple[str, list[int]]] = {}
         #: Members by kind and name
         self.sets: dict[tuple[str, str], list[int]] = defaultdict(list)
+        #: Names of sets whose members keep their order
+        self.unsorted: set[str] = set()
         #: Origin and axes (columns) of `*SYSTEM`
         self.axes: tuple[NDArray, NDArray] | None = None
         #: Whether some card stays as it is, whose nodes or elements are not known
@@ -94,7 +101,11 @@ class _Mesh:
         """What is to stand in place of the card."""
         try:
             made = self._read(card)
-            self.lacks_some = self.lacks_some or (bool(made) and made[0] is card and is_generating(card))
+            if made and made[0] is card and is_generating(card):
+                if self.in_part:
+                    # a part without these nodes cannot be placed
+                    raise ValueError(f"its parameters may be {', '.join(_taken_by(card))}")
+                self.lacks_some = True
             return made
         except (ValueError, TypeError, IndexError, KeyError, FileError) as error:
             if self.lacks_some:
@@ -106,7 +117,7 @@ class _Mesh:
     def _read(self, card: Card) -> list[Card]:
         name = next((one for one in self.makers if card.is_a(one)), None)
         if name is not None:
-            known = {squeezed(one) for one in _TAKEN[name]}
+            known = {squeezed(one) for one in _taken_by(card)}
             if any(squeezed(parameter) not in known for parameter in card.parameters):
                 return [card]
             made = self.makers[name](card)
@@ -117,6 +128,8 @@ class _Mesh:
                     self._note(one)
             return made
         if card.is_a("NODE"):
+            if str(card.get("SYSTEM", "R")).upper() not in ("R", "C"):
+                return [card]
             self._make_cartesian(card)
         self._note(card)
         return [card]
@@ -136,6 +149,8 @@ class _Mesh:
             members = itertools.chain.from_iterable(range(one[0], one[1] + 1, *one[2:]) for one in ranges)
         else:
             members = [one for row in rows for value in row if value is not None for one in self._members(kind, value)]
+        if "UNSORTED" in card:
+            self.unsorted.add(squeezed(str(card[kind])))
         if kind in card:
             self.sets[kind, squeezed(str(card[kind]))] += members
 
@@ -145,26 +160,22 @@ class _Mesh:
         return list(self.sets[there]) if there in self.sets else [value] if isinstance(value, int) else []
 
     def _members_of_set(self, kind: str, value: Value) -> list[int]:
-        """Members of a set, in the order of their numbers."""
+        """Members of a set, in the order of their numbers unless it is `UNSORTED`."""
         found = self._members(kind, value)
         if not found:
             raise ValueError(f"there is no set {value} with members before it")
-        return sorted(set(found))
+        return list(dict.fromkeys(found)) if squeezed(str(value)) in self.unsorted else sorted(set(found))
 
     def _make_cartesian(self, card: Card) -> None:
-        """Coordinates of `SYSTEM=C` and `S`, and those along the axes of `*SYSTEM`, as global ones.
-
-        Source: Abaqus, node definition: radius, angle [degrees], z; radius, longitude and latitude [degrees].
-        """
-        system = str(card.get("SYSTEM", "R")).upper()
-        if system not in ("R", "C", "S"):
-            return
-        if system != "R" or self.axes is not None:
+        """Cylindrical coordinates (radius, angle in degrees, z), and those along the axes of `*SYSTEM`, as global ones."""
+        is_cylindrical = str(card.get("SYSTEM", "R")).upper() == "C"
+        if is_cylindrical or self.axes is not None:
             rows = card.data
             for row in rows:
                 place = _numbers(row[1:4], 3)
-                if system != "R":
-                    place = _cartesian(system, place)
+                if is_cylindrical:
+                    cosine, sine = cosine_and_sine(place[1])
+                    place = np.array([place[0] * cosine, place[0] * sine, place[2]])
                 if self.axes is not None:
                     place = self.axes[0] + self.axes[1] @ place
                 row[1:4] = place.tolist()
@@ -175,7 +186,7 @@ class _Mesh:
     def _system(self, card: Card) -> list[Card]:
         """Axes of the nodes that follow: origin, a point on the first axis, one near the second axis.
 
-        Source: Abaqus, `*SYSTEM`; without the third point the second axis is in the plane of x and y, at right angles to it.
+        Source: Abaqus, `*SYSTEM`; without the third point z stays, and the first axis is the one projected onto x and y.
         """
         values = [_numbers(row, 6 if i == 0 else 3) for i, row in enumerate(card.data)]
         self.axes = None
@@ -183,6 +194,8 @@ class _Mesh:
             origin, first = values[0][:3], values[0][3:] - values[0][:3]
             axes = np.eye(3)
             if sum(value is not None for value in card.data[0]) > 3:
+                if len(values) == 1:
+                    first[2] = 0
                 second = values[1] - origin if len(values) > 1 else np.cross([0, 0, 1], first)
                 third = np.cross(first, second)
                 if not np.linalg.norm(third) > 0:
@@ -316,15 +329,6 @@ def _whole(value: Value, default: int | None = None) -> int:
 def _numbers(values: Sequence[Value], count: int) -> NDArray:
     """As many numbers; 0 for places that are empty."""
     return np.array([float(value or 0) for value in [*values, *[0] * count][:count]])
-
-
-def _cartesian(system: str, place: NDArray) -> NDArray:
-    """Cartesian coordinates of cylindrical (C) or spherical (S) ones."""
-    cosine, sine = cosine_and_sine(place[1])
-    if system == "C":
-        return np.array([place[0] * cosine, place[0] * sine, place[2]])
-    out, up = cosine_and_sine(place[2])
-    return place[0] * np.array([out * cosine, out * sine, up])
 
 
 def _on_arc(a: NDArray, b: NDArray, centre: NDArray, normal: Sequence[Value], shares: NDArray) -> NDArray:

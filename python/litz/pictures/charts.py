@@ -22,7 +22,7 @@ from .chart_tools import (
     power_of_ten,
     wire_names,
 )
-from .margins import bar_beside
+from .margins import bar_beside, text_width
 
 Colour = str | tuple[float, float, float, float]
 
@@ -327,7 +327,13 @@ def current_per_wire(axes: Axes, results: Results, increment: int) -> None:
     axes.vlines(place, low, high, color="#1b1b1b", linewidth=1.2 if len(wires) <= 60 else 0.5)
     axes.axhline(0, color="#888888", linewidth=0.8)
     axes.set_title("Current per wire: mean, and range along it")
-    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    names = wire_names(results, wires) if len(wires) <= MAX_LINES else []
+    # a tenth is between them
+    room = 0.9 * 72 * axes.get_position().width * axes.figure.get_size_inches()[0]
+    if names and sum(text_width(name, mpl.rcParams["font.size"]) for name in names) < room:
+        axes.set_xticks(place, names)
+    else:
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.grid(visible=False, axis="x")
     axes.set_xlabel("wire")
     axes.set_ylabel(label("current", unit))
