@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from decks import MATERIAL, straight, wire
+from litz import Results
+from litz.results.history_table import history_table
 
 #: A machine part of 10 mm, as a beam: 8e11 times as stiff in bending as a thread
 STIFF = "*BEAM SECTION, ELSET=PART, MATERIAL=STEEL, SECTION=GENERAL\n 1e-2, 1e-3, 0, 1e-3, 2e-3\n"
@@ -85,3 +87,15 @@ def test_what_round_off_leaves_is_allowed(run, inputs, name, by):
     assert usual.returncode == 0
     # one or two more for the last digits
     assert (results.status["iterations"] <= expected.status["iterations"] + 2).all()
+
+
+def test_what_the_iteration_leaves_across_a_force_is_nothing_in_a_table(run_of_input):
+    """Crossed wires pressed along z: the supports hold nothing along x and y."""
+    results = Results(run_of_input("01_crossed_wires"))
+    assert results.history["RF1 sum MOVING"].any()
+    lines = history_table(results).splitlines()
+    first = next(i for i, line in enumerate(lines) if "RF1 sum MOVING" in line)
+    assert lines[first].split()[-9:] == ["RF1", "sum", "MOVING", "RF2", "sum", "MOVING", "RF3", "sum", "MOVING"]
+    rows = [line.split() for line in lines[first + 2 :] if line.split()[0].replace(".", "").isdigit()]
+    assert len(rows) == len(results.history["time"])
+    assert all(row[-3:-1] == ["0", "0"] for row in rows)

@@ -11,8 +11,8 @@ from .result_file import ResultFile
 _MAX_COLUMNS = 6
 _MAX_ROWS = 40
 #: Parts of the largest value below which there is only round-off: what the iteration leaves of the components of a vector,
-#: and of other quantities, which may grow by many orders of magnitude
-_OF_A_VECTOR, _OF_A_COLUMN = 1e-9, 1e-13
+#: the largest of which has seven digits here, and of other quantities, which may grow by many orders of magnitude
+_OF_A_VECTOR, _OF_A_COLUMN = 1e-8, 1e-13
 
 
 def history_table(results: ResultFile) -> str:
