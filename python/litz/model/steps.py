@@ -82,6 +82,9 @@ class Step:
         self.temperatures: list[Temperature] = []
         self.element_loads: list[ElementLoad] = []
         self.cards: list[CardSpec] = []
+        if first is None and increment is None and error is not None:
+            # nothing tells the error of the first one
+            first = _SMALLEST_FRACTION * total if smallest is None else smallest
         first = (total if increment is None else increment) if first is None else first
         largest = (total if increment is None else increment) if largest is None else largest
         times: list[float | None] = [first, total, smallest, largest]
