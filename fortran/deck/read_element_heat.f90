@@ -75,8 +75,8 @@ contains
 
       kind = findloc(keywords == keyword_of(self, card), .true., 1)
       if (kind == 3 .and. .not. model%stefan_boltzmann > 0) then
-         call fail_at(self, self%deck%cards(card)%name, '*RADIATE needs the Stefan-Boltzmann constant in the units of'// &
-            ' the deck: *PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.670374e-8')
+         call fail_at(self, self%deck%cards(card)%name, '*RADIATE needs the Stefan-Boltzmann constant in the units'// &
+            ' of the deck: *PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.670374e-8')
       else if (kind == 3 .and. .not. deck_gives(self, 'PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) then
          call fail_at(self, self%deck%cards(card)%name, '*RADIATE needs temperatures from absolute zero: give it'// &
             ' by *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')

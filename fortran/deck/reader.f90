@@ -12,7 +12,8 @@ module litz_reader
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
    public :: fail_at, warn_at, warn_of_idle, applies, has_choice, names_hint, name_of, parameter_of, has_flag, &
-      choice_of, deck_gives, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used, halves_of
+      choice_of, deck_gives, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used, &
+      halves_of
 
    !> After this many errors no more hints are searched for
    integer, parameter :: max_hints = 100

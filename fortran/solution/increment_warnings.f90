@@ -178,8 +178,8 @@ contains
             error = maxval([0.0_dp, min(largest_part*abs(change(:, 2)), h1**2/(2*h)*(h1 + 2*h)/(h1 + h) &
                *abs(change(:, 1)/h - change(:, 2)/h1))], [.true., is_free])
          end associate
-         if (error > step%largest_error) call problem%warnings%add('first_increment', 'the first increment has added'// &
-            ' an error of about '//to_text(error)//label//', where ERROR='//to_text(step%largest_error)// &
+         if (error > step%largest_error) call problem%warnings%add('first_increment', 'the first increment has'// &
+            ' added an error of about '//to_text(error)//label//', where ERROR='//to_text(step%largest_error)// &
             ' is allowed: it should be smaller (first value of the procedure)', value=error, &
             unit=trim(adjustl(label)))
       end associate

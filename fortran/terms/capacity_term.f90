@@ -202,8 +202,8 @@ contains
    end subroutine bearable_increment
 
    !> The increment that would have the allowed error, over that which has converged. Nothing is known of the error of
-   !> the first one of a step; that of the second is taken as what backward Euler would have had. Temperatures are those of
-   !> the stored heat: an error of it while a wire melts is one of its temperature when it has melted.
+   !> the first one of a step; that of the second is taken as what backward Euler would have had. Temperatures are those
+   !> of the stored heat: an error of it while a wire melts is one of its temperature when it has melted.
    pure real(dp) function ratio_of_errors(self, domain, allowed, is_free) result(ratio)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain

@@ -13,8 +13,8 @@ module litz_radiation_term
    public :: radiation_term_t
 
    type, extends(term_t) :: radiation_term_t
-      !> Elements that radiate, eps sigma P [W/(m K^4)], temperature of the surroundings [K], and what each radiates less
-      !> what its film makes up for between the nodes [W]
+      !> Elements that radiate, eps sigma P [W/(m K^4)], temperature of the surroundings [K], and what each radiates
+      !> less what its film makes up for between the nodes [W]
       integer, allocatable :: elements(:)
       real(dp), allocatable :: coefficient(:), surroundings(:), heat(:)
    contains

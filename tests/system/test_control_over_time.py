@@ -120,13 +120,14 @@ class TestError:
         error = (ROOM - AROUND) * (1 / 2 - np.exp(-1))
         assert error < warning.worst < 1.2 * error
 
-
     @pytest.mark.slow
     def test_a_run_that_melts_and_freezes_goes_on_from_every_increment(self, litz, tmp_path):
-        later = (f"*STEP, INC=1000\n{ELECTRICAL}, ERROR=0.2\n, 0.3, 1e-6\n*CECURRENT\n1, , 20\n*FILM\nWIRE, F, 250, 5000\n*END STEP\n"
-                 "*STEP, INC=1000\n*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, DELTMX=3\n0.01, 0.1, 1e-6\n*END STEP\n")  # fmt: skip
+        freezes = f"{ELECTRICAL}, ERROR=0.2\n, 0.3, 1e-6\n*CECURRENT\n1, , 20\n*FILM\nWIRE, F, 250, 5000\n"
+        moves = "*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, DELTMX=3\n0.01, 0.1, 1e-6\n"
+        later = "".join(f"*STEP, INC=1000\n{procedure}*END STEP\n" for procedure in (freezes, moves))
         text = deck(", 0.3, 1e-6", amperes=300.0, elements=4, material=STORED + "*LATENT HEAT\n2e4, 310, 310.5\n",
-                    procedure=f"{ELECTRICAL}, ERROR=0.5", heat="*BOUNDARY\n5, 11, 11, 305\n", step=KEEP_ALL, later=later)  # fmt: skip
+                    procedure=f"{ELECTRICAL}, ERROR=0.5", heat="*BOUNDARY\n5, 11, 11, 305\n", step=KEEP_ALL,
+                    later=later)  # fmt: skip
         assert_goes_on_from_everywhere(litz, tmp_path, text)
 
 
