@@ -89,6 +89,7 @@ contains
 
       if (allocated(self%heat)) deallocate (self%heat)
       if (.not. domain%loading%solves(field_temperature)) then
+         if (.not. domain%model%has_field(field_temperature)) return
          call find_hottest(domain, self%contact%points)
          call find_hottest(domain, self%contact%line_points)
          return

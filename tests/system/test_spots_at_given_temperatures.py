@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from crossing_conductors import METAL, ROOM, crossing
+from crossing_conductors import LAMBDA, METAL, ROOM, crossing
 from run_of_deck import refusal_of_deck, run_of_deck
 from same_results import keeping
 from test_restart import assert_goes_on_from_everywhere
@@ -42,6 +42,14 @@ def test_a_static_step_has_that_of_the_voltage(run, volts):
     contacts = run(volts).contacts_at(-1)
     assert contacts["temperature_1"][0] == ROOM
     assert contacts["temperature_max"][0] == pytest.approx(hottest(contacts["voltage_gap"][0], ROOM), rel=1e-9)
+
+
+@pytest.mark.parametrize("law", ["*GAP CONDUCTANCE, LAW=CONDUCTIVITY", ""])
+def test_constant_conductivities_have_a_parabola(run, law):
+    """T + V^2/(8 lambda rho), also where nothing is said of heat."""
+    contacts = run(0.2, law=law).contacts_at(-1)
+    rise = contacts["voltage_gap"][0] ** 2 * 5.88e7 / (8 * LAMBDA)
+    assert contacts["temperature_max"][0] == pytest.approx(ROOM + rise, rel=1e-9)
 
 
 def test_without_a_current_it_is_the_temperature_beside_it(run):
