@@ -22,6 +22,7 @@ module litz_contact_heat_term
    use litz_rubbing, only: rubbing_t, is_abrupt, add_friction_heat
    use litz_settled_heats, only: settled_heat
    use litz_shared_conductors, only: shared_conductors_t
+   use litz_spots_of_given_temperatures, only: find_hottest
    use litz_term, only: term_t
    implicit none
    private
@@ -87,7 +88,12 @@ contains
       integer, allocatable :: nodes(:, :)
 
       if (allocated(self%heat)) deallocate (self%heat)
-      if (.not. domain%loading%solves(field_temperature)) return
+      if (.not. domain%loading%solves(field_temperature)) then
+         if (.not. domain%model%has_field(field_temperature)) return
+         call find_hottest(domain, self%contact%points)
+         call find_hottest(domain, self%contact%line_points)
+         return
+      end if
       call add_friction(self, domain)
       call find_contacts(self, domain)
       if (any(self%heat%contacts%is_cold)) then
@@ -370,10 +376,9 @@ contains
       type(domain_t), intent(in) :: domain
       character(len=:), allocatable :: reason
 
-      reason = ''
+      reason = melted(domain, self%contact%points)
+      if (len(reason) == 0) reason = melted(domain, self%contact%line_points)
       if (.not. allocated(self%heat)) return
-      reason = melted(domain, self%contact%points(self%points))
-      if (len(reason) == 0) reason = melted(domain, self%contact%line_points(self%line_points))
       if (len(reason) == 0) reason = beyond_table(domain, self%contact%points(self%points))
       if (len(reason) == 0) reason = beyond_table(domain, self%contact%line_points(self%line_points))
       if (len(reason) == 0) reason = beyond_table_inside(domain, self%heat)

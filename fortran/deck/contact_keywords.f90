@@ -115,8 +115,8 @@ contains
       call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T'// &
          ' at the contact', limit_positive))
       call k%add(number('TSOFT', 'temperature at which the metal softens: a warning (hot_spot) where the hottest'// &
-         ' place of a spot is above it', limit_none))
-      call k%add(number('TMELT', 'temperature at which it melts: no spot is hotter', limit_none))
+         ' place of a spot is above it, by its voltage in steps that do not solve for temperatures, too', limit_none))
+      call k%add(number('TMELT', 'temperature at which it melts: no spot is hotter in any step', limit_none))
       call k%add(choice('MELTING', 'END|WARN', 'WARN: spots hotter than TMELT are a warning, too (litz extension)', &
          default='END'))
       call add_law_data(k, 'LAW', all_heat_laws())

@@ -37,7 +37,8 @@ contains
       call finish(table, k)
 
       call begin(k, 'PHYSICAL CONSTANTS', place_model, 'Constants in the units of the deck.')
-      call k%add(number('ABSOLUTE ZERO', 'absolute zero of the temperature scale, such as -273.15; 0 when left out', &
+      call k%add(number('ABSOLUTE ZERO', 'absolute zero of the temperature scale, such as -273.15; *RADIATE and'// &
+         ' *GAP CONDUCTANCE, LAW=METAL need it; elsewhere 0 when left out', &
          limit_none))
       call k%add(number('STEFAN BOLTZMANN', 'Stefan-Boltzmann constant, 5.670374e-8 in SI units; *RADIATE needs it', &
          limit_positive))

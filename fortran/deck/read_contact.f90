@@ -12,7 +12,7 @@ module litz_read_contact
    use litz_normal_laws, only: normal_law, default_normal_law
    use litz_normal_yielding, only: normal_yielding
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
-      n_cards_of
+      n_cards_of, deck_gives
    use litz_spot_laws, only: spot_law
    use litz_stick_laws, only: stick_laws, stick_mindlin
    use litz_data_lines, only: read_line, describe_form
@@ -242,27 +242,11 @@ contains
       if (interaction%heat%number /= heat_metal_law) then
          if (interaction%heat%lorenz > 0) call fail_at(self, parameter_of(self, card, 'LORENZ'), &
             'LORENZ= is for LAW=METAL')
-      else if (.not. has_parameter('PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) then
+      else if (.not. deck_gives(self, 'PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) then
          call fail_at(self, self%deck%cards(card)%name, 'LAW=METAL needs temperatures from absolute zero: give it'// &
             ' by *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')
       end if
       call read_law_data(self, card, interaction%heat)
-
-   contains
-
-      logical function has_parameter(keyword, parameter)
-         !> In capitals
-         character(len=*), intent(in) :: keyword, parameter
-         type(token_t) :: token
-         integer :: i
-
-         has_parameter = .false.
-         do i = 1, self%deck%n_cards
-            if (keyword_of(self, i) /= keyword) cycle
-            token = parameter_of(self, i, parameter)
-            has_parameter = has_parameter .or. token%last >= token%first
-         end do
-      end function has_parameter
 
    end subroutine read_heat_law
 

@@ -5,7 +5,7 @@ module litz_read_element_heat
    use litz_definitions, only: find_definition
    use litz_deck, only: token_t
    use litz_model, only: model_t, element_heat_t, leave_step
-   use litz_reader, only: halves_of, reader_t, fail_at, parameter_of, choice_of, keyword_of
+   use litz_reader, only: halves_of, reader_t, fail_at, parameter_of, choice_of, keyword_of, deck_gives
    use litz_sets, only: find_item
    use litz_text, only: to_text
    implicit none
@@ -74,9 +74,13 @@ contains
       logical :: ok
 
       kind = findloc(keywords == keyword_of(self, card), .true., 1)
-      if (kind == 3 .and. .not. model%stefan_boltzmann > 0) call fail_at(self, self%deck%cards(card)%name, &
-         '*RADIATE needs the Stefan-Boltzmann constant in the units of the deck: *PHYSICAL CONSTANTS,'// &
-         ' STEFAN BOLTZMANN=5.670374e-8')
+      if (kind == 3 .and. .not. model%stefan_boltzmann > 0) then
+         call fail_at(self, self%deck%cards(card)%name, '*RADIATE needs the Stefan-Boltzmann constant in the units'// &
+            ' of the deck: *PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.670374e-8')
+      else if (kind == 3 .and. .not. deck_gives(self, 'PHYSICAL CONSTANTS', 'ABSOLUTE ZERO')) then
+         call fail_at(self, self%deck%cards(card)%name, '*RADIATE needs temperatures from absolute zero: give it'// &
+            ' by *PHYSICAL CONSTANTS, ABSOLUTE ZERO=0 (kelvin) or -273.15 (Celsius)')
+      end if
       call apply_op(self, card, kind, heat, cards)
       call find_amplitudes(self, model, card, amplitude)
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data

@@ -326,7 +326,10 @@ contains
          end if
          if (step%solves(field_temperature)) call read_rate(self, card, step)
          step%total = merge(values%real(2), 1.0_dp, values%given(2))
-         step%first = merge(values%real(1), step%total, values%given(1))
+         step%first = step%total
+         ! nothing tells the error of the first one
+         if (step%largest_error > 0) step%first = merge(values%real(3), smallest_part*step%total, values%given(3))
+         if (values%given(1)) step%first = values%real(1)
          step%smallest = merge(values%real(3), min(smallest_part*step%total, step%first), values%given(3))
          step%largest = merge(values%real(4), step%total, values%given(4))
          if (step%direct) step%largest = step%first
@@ -345,7 +348,7 @@ contains
 
       subroutine set_default_increments()
          step%total = 1
-         step%first = 1
+         step%first = merge(smallest_part, 1.0_dp, step%largest_error > 0)
          step%smallest = smallest_part
          step%largest = 1
       end subroutine set_default_increments

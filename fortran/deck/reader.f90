@@ -12,7 +12,8 @@ module litz_reader
    private
    public :: reader_t, values_t, set_builder_t, definitions_t
    public :: fail_at, warn_at, warn_of_idle, applies, has_choice, names_hint, name_of, parameter_of, has_flag, &
-      choice_of, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used, halves_of
+      choice_of, deck_gives, real_parameter, integer_parameter, keyword_of, n_cards_of, may_be_defined, may_be_used, &
+      halves_of
 
    !> After this many errors no more hints are searched for
    integer, parameter :: max_hints = 100
@@ -194,6 +195,22 @@ contains
          end do
       end associate
    end function parameter_of
+
+   !> Some card of the deck with this keyword gives the parameter.
+   pure logical function deck_gives(self, keyword, name)
+      type(reader_t), intent(in) :: self
+      !> In capitals
+      character(len=*), intent(in) :: keyword, name
+      type(token_t) :: token
+      integer :: i
+
+      deck_gives = .false.
+      do i = 1, self%deck%n_cards
+         if (keyword_of(self, i) /= keyword) cycle
+         token = parameter_of(self, i, name)
+         deck_gives = deck_gives .or. token%last >= token%first
+      end do
+   end function deck_gives
 
    !> A keyword that nobody knows may have been meant to define this name: it has been reported, and that is enough.
    pure logical function may_be_defined(self, parameter, token)

@@ -71,7 +71,8 @@ contains
       call k%add(number('DELTMX', 'largest change of a free temperature in an increment [K]; without it and ERROR'// &
          ' the increments of a step over time are all as large as the first', limit_positive))
       call k%add(number('ERROR', 'largest error of a free temperature that an increment of a step over time may add'// &
-         ' [K], which chooses the increments (litz extension); DELTMX may limit them as well', limit_positive))
+         ' [K], which chooses the increments, the first one is the smallest unless it is given (litz extension);'// &
+         ' DELTMX may limit them as well', limit_positive))
       call k%add(choice('END', 'PERIOD|SS', 'SS: a step over time ends as soon as no free temperature changes'// &
          ' faster than the rate, and amplitudes have come to their ends', default='PERIOD'))
    end subroutine add_transient

@@ -26,7 +26,7 @@ module litz_heat_capacity
    use litz_property_table, only: property_at, property_integral
    implicit none
    private
-   public :: latent_heat_t, heat_capacity, bdf2_weights, bdf2_error, euler_error
+   public :: latent_heat_t, heat_capacity, enthalpy_difference, bdf2_weights, bdf2_error, euler_error
 
    !> Heat of a change of phase.
    type :: latent_heat_t
@@ -76,27 +76,27 @@ contains
 
    !> What an increment of BDF2 adds to the error of a temperature [K]. Source: (3), to which the third derivative over
    !> time contributes alone.
-   elemental real(dp) function bdf2_error(now, before, earlier, earliest, h, h1, h2) result(error)
-      !> Temperature, and what it was one, two and three increments ago [K]
-      real(dp), intent(in) :: now, before, earlier, earliest
+   elemental real(dp) function bdf2_error(change, before, earlier, h, h1, h2) result(error)
+      !> Of the temperature in the increment and in the two before it [K]
+      real(dp), intent(in) :: change, before, earlier
       !> The increment, and the two before it [s]
       real(dp), intent(in) :: h, h1, h2
       real(dp) :: slope, curvature, weights(2)
 
-      slope = (before - earlier)/h1
-      curvature = (slope - (earlier - earliest)/h2)/(h1 + h2)
+      slope = before/h1
+      curvature = (slope - earlier/h2)/(h1 + h2)
       weights = bdf2_weights(h/h1)
-      error = (now - before - h*slope - h*(h + h1)*curvature)*(h/weights(1))/(h/weights(1) + h + h1 + h2)
+      error = (change - h*slope - h*(h + h1)*curvature)*(h/weights(1))/(h/weights(1) + h + h1 + h2)
    end function bdf2_error
 
    !> The same of backward Euler. Source: (4).
-   elemental real(dp) function euler_error(now, before, earlier, h, h1) result(error)
-      !> Temperature, and what it was one and two increments ago [K]
-      real(dp), intent(in) :: now, before, earlier
+   elemental real(dp) function euler_error(change, before, h, h1) result(error)
+      !> Of the temperature in the increment and in the one before it [K]
+      real(dp), intent(in) :: change, before
       !> The increment, and the one before it [s]
       real(dp), intent(in) :: h, h1
 
-      error = (now - before - h*(before - earlier)/h1)*h/(2*h + h1)
+      error = (change - h*before/h1)*h/(2*h + h1)
    end function euler_error
 
    !> `H(T) - H(T_before)` and its slope over T.

@@ -1,6 +1,7 @@
 !> What is to be warned of at the start of a run, and in an increment that has converged.
 module litz_increment_warnings
-   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential
+   use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential, &
+      temperature_slots
    use litz_kinds, only: dp, pi
    use litz_audit, only: audit_t, scales_t, penetration, describe_contact, allowed_imbalance, vanishing
    use litz_contact_net, only: allowed_penetration
@@ -12,6 +13,7 @@ module litz_increment_warnings
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
    use litz_state, only: contact_t, surface_contact_t
+   use litz_stored_heat, only: changes_by_heat
    use litz_step_end, only: reaches_end, fastest_change
    use litz_problem, only: problem_t
    use litz_text, only: to_text
@@ -31,6 +33,12 @@ module litz_increment_warnings
    real(dp), parameter :: least_length = 1.0e-3_dp
    !> Part of its width by which a contact may slide up the side of its dent in an increment
    real(dp), parameter :: longest_climb = 0.25_dp
+   !> Largest error of an increment of backward Euler over its change, of a temperature that falls to another one:
+   !> (1 - (1 + z) exp(-z))/z where it is largest
+   real(dp), parameter :: largest_part = 0.3_dp
+   !> Error over the temperature from absolute zero up to which a step of a single increment is not warned of
+   real(dp), parameter :: least_share = 1.0e-3_dp
+   integer, parameter :: slot = temperature_slots(1)
 
 contains
 
@@ -100,6 +108,7 @@ contains
          call add_round_off(problem, outcome)
          call add_third_electrodes(problem)
          call add_not_steady(problem)
+         call add_first_increment(problem)
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), warnings)
          end do
@@ -140,6 +149,41 @@ contains
             value=rate, unit=trim(adjustl(label)))
       end associate
    end subroutine add_not_steady
+
+   !> Nothing bounds the error of the first increment of a step over time: it shows in the second one, or there is none.
+   subroutine add_first_increment(problem)
+      type(problem_t), intent(inout) :: problem
+      real(dp), dimension(problem%model%n_nodes, 2) :: change
+      logical :: is_free(problem%model%n_nodes), is_alone
+      real(dp) :: error, allowed
+      character(len=:), allocatable :: label
+
+      label = problem%model%units%after('K')
+      associate (step => problem%model%steps(problem%state%step), state => problem%state)
+         is_alone = state%increment == 1 .and. reaches_end(step, state%step_time)
+         if (.not. step%transient .or. .not. (is_alone .or. state%increment == 2 .and. step%largest_error > 0)) return
+         is_free = problem%equations%number(slot, :) > 0
+         change = changes_by_heat(problem%model, problem%elements%length, reshape([state%value(slot, :), &
+            state%temperature_before, state%temperature_earlier], [size(is_free), 3]))
+         allowed = max(step%largest_error, least_share*maxval(abs(state%value(slot, :) - problem%model%absolute_zero)))
+         if (is_alone) then
+            error = maxval([0.0_dp, largest_part*abs(change(:, 1))], [.true., is_free])
+            if (error > allowed) call problem%warnings%add('first_increment', 'the step over time is a single'// &
+               ' increment, whose temperatures may be off by up to '//to_text(error)//label//': give it'// &
+               ' increments (first value of its procedure), or ERROR=', value=error, unit=trim(adjustl(label)))
+            return
+         end if
+         associate (h => state%time_increment, h1 => state%time_increment_before)
+            ! h1^2/2 T'', by the rates at the end of either increment
+            error = maxval([0.0_dp, min(largest_part*abs(change(:, 2)), h1**2/(2*h)*(h1 + 2*h)/(h1 + h) &
+               *abs(change(:, 1)/h - change(:, 2)/h1))], [.true., is_free])
+         end associate
+         if (error > step%largest_error) call problem%warnings%add('first_increment', 'the first increment has'// &
+            ' added an error of about '//to_text(error)//label//', where ERROR='//to_text(step%largest_error)// &
+            ' is allowed: it should be smaller (first value of the procedure)', value=error, &
+            unit=trim(adjustl(label)))
+      end associate
+   end subroutine add_first_increment
 
    !> Residuals above the tolerance of their field that were accepted because round-off leaves no less. A field that has
    !> nothing but round-off has no residual to speak of.

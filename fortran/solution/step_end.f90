@@ -5,6 +5,7 @@ module litz_step_end
    use litz_loading, only: amplitudes_are_over
    use litz_model, only: radius_at, step_t
    use litz_problem, only: problem_t
+   use litz_stored_heat, only: changes_by_heat
    implicit none
    private
    public :: reaches_end, step_is_over, fastest_change
@@ -53,13 +54,16 @@ contains
       end associate
    end function radii_lag
 
-   !> Of a free temperature, the mean over the last increment [K/s].
+   !> Of a free temperature, the mean over the last increment [K/s]. What melts takes up heat as long as it does.
    pure real(dp) function fastest_change(problem)
       type(problem_t), intent(in) :: problem
+      real(dp), dimension(problem%model%n_nodes, 1) :: change
 
       associate (state => problem%state)
-         fastest_change = max(0.0_dp, maxval(abs(state%value(slot, :) - state%temperature_before), &
-            problem%equations%number(slot, :) > 0))/state%time_increment
+         change = changes_by_heat(problem%model, problem%elements%length, reshape([state%value(slot, :), &
+            state%temperature_before], [problem%model%n_nodes, 2]))
+         fastest_change = max(0.0_dp, maxval(abs(change(:, 1)), problem%equations%number(slot, :) > 0)) &
+            /state%time_increment
       end associate
    end function fastest_change
 

@@ -10,6 +10,7 @@ module litz_capacity_term
    use litz_fields, only: field_temperature, temperature_slots
    use litz_heat_capacity, only: latent_heat_t, heat_capacity, bdf2_weights, bdf2_error, euler_error
    use litz_model, only: model_t, step_t
+   use litz_stored_heat, only: storing_elements, latent_heats, changes_by_heat
    use litz_term, only: term_t
    use litz_text, only: to_text
    implicit none
@@ -54,15 +55,9 @@ contains
 
    pure type(capacity_term_t) function new_capacity_term(model) result(capacity)
       type(model_t), intent(in) :: model
-      integer :: e, material
+      integer :: material
 
-      allocate (capacity%elements(0))
-      do e = 1, model%n_elements
-         associate (wire => model%materials(model%sections(model%element_section(e))%material))
-            if (allocated(wire%heat_conductivity) .and. allocated(wire%specific_heat) .and. &
-               wire%density > 0) capacity%elements = [capacity%elements, e]
-         end associate
-      end do
+      capacity%elements = storing_elements(model)
       allocate (capacity%stored(model%n_elements), capacity%between(model%n_elements), source=0.0_dp)
       allocate (capacity%phases(size(model%materials)))
       do material = 1, size(model%materials)
@@ -152,20 +147,6 @@ contains
       r = share*r
    end subroutine evaluate_element
 
-   pure function latent_heats(model, material) result(latent)
-      type(model_t), intent(in) :: model
-      !> Index of the material
-      integer, intent(in) :: material
-      type(latent_heat_t), allocatable :: latent(:)
-      integer :: i
-
-      allocate (latent(0))
-      if (.not. allocated(model%materials(material)%latent_heat)) return
-      associate (table => model%materials(material)%latent_heat)
-         latent = [(latent_heat_t(table(1, i), table(2, i), table(3, i)), i=1, size(table, 2))]
-      end associate
-   end function latent_heats
-
    !> No temperature passes a solidus or liquidus in one iteration: the slope of the enthalpy is another one behind it.
    subroutine shorten(self, domain, correction)
       class(capacity_term_t), intent(in) :: self
@@ -221,7 +202,8 @@ contains
    end subroutine bearable_increment
 
    !> The increment that would have the allowed error, over that which has converged. Nothing is known of the error of
-   !> the first one of a step; that of the second is taken as what backward Euler would have had.
+   !> the first one of a step; that of the second is taken as what backward Euler would have had. Temperatures are those
+   !> of the stored heat: an error of it while a wire melts is one of its temperature when it has melted.
    pure real(dp) function ratio_of_errors(self, domain, allowed, is_free) result(ratio)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -229,19 +211,20 @@ contains
       real(dp), intent(in) :: allowed
       !> Temperatures that are unknowns (n_nodes)
       logical, intent(in) :: is_free(:)
-      real(dp) :: error(size(is_free)), order
+      real(dp) :: error(size(is_free)), change(size(is_free), 3), order
 
       ratio = huge(ratio)
       if (domain%state%increment == 0) return
-      associate (now => domain%iterate%value(slot, :), state => domain%state)
-         if (domain%state%increment == 1 .or. .not. domain%heat_weights(2) > 0) then
+      associate (state => domain%state)
+         change = changes_by_heat(domain%model, domain%elements%length, reshape([domain%iterate%value(slot, :), &
+            state%value(slot, :), state%temperature_before, state%temperature_earlier], [size(is_free), 4]))
+         if (state%increment == 1 .or. .not. domain%heat_weights(2) > 0) then
             order = 2
-            error = euler_error(now, state%value(slot, :), state%temperature_before, self%increment, &
-               state%time_increment)
+            error = euler_error(change(:, 1), change(:, 2), self%increment, state%time_increment)
          else
             order = 3
-            error = bdf2_error(now, state%value(slot, :), state%temperature_before, state%temperature_earlier, &
-               self%increment, state%time_increment, state%time_increment_before)
+            error = bdf2_error(change(:, 1), change(:, 2), change(:, 3), self%increment, state%time_increment, &
+               state%time_increment_before)
          end if
       end associate
       ratio = (allowed/max(maxval(abs(error), is_free), tiny(ratio)))**(1/order)

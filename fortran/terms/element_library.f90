@@ -5,6 +5,7 @@ module litz_element_library
    use litz_beam_b31, only: beam_b31, beam_b31_reference, beam_b31_rigidities
    use litz_beam_b33, only: beam_b33, beam_b33_reference, beam_b33_rigidities
    use litz_element_types, only: element_types, element_b31, element_b33
+   use litz_fields, only: field_temperature
    use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity, elasticity_at, &
       elasticity_slope, thermal_strain, thermal_strain_slope
    use litz_model, only: model_t
@@ -182,7 +183,8 @@ contains
       real(dp) :: mean, swelling(2), slope
       integer :: i
 
-      if (size(elements%heated) + size(elements%thermal_resistors) == 0) return
+      if (size(elements%heated) + size(elements%thermal_resistors) == 0 &
+         .and. .not. model%has_field(field_temperature)) return
       elements%temperature = by_element(temperature)
       elements%mechanical_temperature = by_element(mechanical_temperature)
       do i = 1, size(elements%thermal_resistors)

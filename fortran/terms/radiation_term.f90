@@ -13,7 +13,8 @@ module litz_radiation_term
    public :: radiation_term_t
 
    type, extends(term_t) :: radiation_term_t
-      !> Elements that radiate, eps sigma P [W/(m K^4)], temperature of the surroundings [K], and what each radiates [W]
+      !> Elements that radiate, eps sigma P [W/(m K^4)], temperature of the surroundings [K], and what each radiates
+      !> less what its film makes up for between the nodes [W]
       integer, allocatable :: elements(:)
       real(dp), allocatable :: coefficient(:), surroundings(:), heat(:)
    contains
@@ -51,7 +52,7 @@ contains
       !> Never
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: k(:, :, :), r(:, :)
-      real(dp) :: slope(2)
+      real(dp) :: slope(2), share, dshare
       integer :: i, info
 
       if (.not. allocated(self%elements)) return
@@ -62,8 +63,12 @@ contains
             call wire_radiation(domain%iterate%value(temperature_slots(1), node), &
                self%coefficient(i)*domain%conduction_length(self%elements(i)), self%surroundings(i), &
                domain%model%absolute_zero, slope, r(:, i), info)
-            k(1, 1, i) = slope(1)
-            k(2, 2, i) = slope(2)
+            ! under a film as a sink in the element: the nodes give a part of it, the film the rest
+            call domain%share_of_nodes(self%elements(i), share, dshare)
+            k(:, :, i) = dshare*spread(r(:, i), 2, 2)
+            k(1, 1, i) = k(1, 1, i) + share*slope(1)
+            k(2, 2, i) = k(2, 2, i) + share*slope(2)
+            r(:, i) = share*r(:, i)
             self%heat(i) = sum(r(:, i))
          end associate
       end do

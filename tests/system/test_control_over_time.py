@@ -79,8 +79,67 @@ class TestError:
                       procedure=f"{ELECTRICAL}, ERROR=0.1")  # fmt: skip
         np.testing.assert_allclose(results.field("temperature"), liquidus + 30, atol=0.2)
 
+    def test_a_wire_that_melts_under_a_current_that_rises_keeps_it(self, run):
+        """Its temperature stands still and says nothing; the heat is the integral of a power that goes with t^2."""
+        latent, melts, amperes = 2.05e5, ROOM + 30, 400.0
+        power = amperes**2 * 1.72e-8 / (np.pi * RADIUS**2) ** 2 / DENSITY
+        end = (3 * (60 * HEAT + latent) / power) ** (1 / 3)
+        rising = "*AMPLITUDE, NAME=RISING\n0, 0, 10, 10\n"
+        worst = []
+        for error in (0.1, 0.01):
+            results = run(f", {end:.17g}, {1e-7 * end:.17g}", elements=2, model=rising, material=STORED +
+                          f"*LATENT HEAT\n{latent}, {melts}, {melts + 0.001}\n", procedure=f"{ELECTRICAL}, ERROR={error}",
+                          loads=f"*CECURRENT, AMPLITUDE=RISING\n1, , {amperes}\n")  # fmt: skip
+            worst.append(abs(results.field("temperature")[0] - ROOM - 60))
+            assert worst[-1] < error * len(results.times)
+        assert worst[1] < 0.4 * worst[0]
+
+    def test_the_first_increment_is_small_where_none_is_given(self, run):
+        """One of the whole step would be 3.8 K off."""
+        results = run(f", {S:.17g}", elements=2, length=1e-3, heat=COOLED, procedure=f"{ELECTRICAL}, ERROR=0.01")
+        assert results.times[1] == pytest.approx(1e-5 * S)
+        exact = AROUND + (ROOM - AROUND) * np.exp(-results.times / S)
+        errors = abs(results.field("temperature", increment=None)[:, 0] - exact)
+        assert errors.max() < 0.01 * len(results.times)
+        assert not results.warnings
+
+    def test_a_first_increment_that_is_too_large_is_a_warning(self, run):
+        """With the error of backward Euler over half of a time constant, z = 1/2: the second one shows T'' at its end, by which
+        it is z^2/(2 (1 + z)) in place of 1/(1 + z) - exp(-z)."""
+        results = run(f"{0.5 * S:.17g}, {6 * S:.17g}, {1e-6 * S:.17g}", elements=2, length=1e-3, heat=COOLED,
+                      procedure=f"{ELECTRICAL}, ERROR=0.001")  # fmt: skip
+        (warning,) = results.warnings
+        assert warning.kind == "first_increment"
+        error = (ROOM - AROUND) * (1 / 1.5 - np.exp(-0.5))
+        assert error < warning.worst < 1.5 * error
+
+    def test_a_step_of_a_single_increment_is_a_warning(self, run):
+        results = run(f"{S:.17g}, {S:.17g}", elements=2, length=1e-3, heat=COOLED)
+        (warning,) = results.warnings
+        assert warning.kind == "first_increment"
+        error = (ROOM - AROUND) * (1 / 2 - np.exp(-1))
+        assert error < warning.worst < 1.2 * error
+
+    @pytest.mark.slow
+    def test_a_run_that_melts_and_freezes_goes_on_from_every_increment(self, litz, tmp_path):
+        freezes = f"{ELECTRICAL}, ERROR=0.2\n, 0.3, 1e-6\n*CECURRENT\n1, , 20\n*FILM\nWIRE, F, 250, 5000\n"
+        moves = "*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, DELTMX=3\n0.01, 0.1, 1e-6\n"
+        later = "".join(f"*STEP, INC=1000\n{procedure}*END STEP\n" for procedure in (freezes, moves))
+        text = deck(", 0.3, 1e-6", amperes=300.0, elements=4, material=STORED + "*LATENT HEAT\n2e4, 310, 310.5\n",
+                    procedure=f"{ELECTRICAL}, ERROR=0.5", heat="*BOUNDARY\n5, 11, 11, 305\n", step=KEEP_ALL,
+                    later=later)  # fmt: skip
+        assert_goes_on_from_everywhere(litz, tmp_path, text)
+
 
 class TestSteadyEnd:
+    def test_a_wire_that_melts_is_not_steady(self, run):
+        """It takes up heat at 1 K/s of its specific heat, over 0.001 K."""
+        results = run("1., 700., , , 0.1", elements=2, length=1e-3, heat=f"*DFLUX\nWIRE, BF, {DENSITY * HEAT}\n",
+                      material=STORED + f"*LATENT HEAT\n{500 * HEAT}, {ROOM + 10.5}, {ROOM + 10.501}\n",
+                      procedure=f"{ELECTRICAL}, END=SS")  # fmt: skip
+        assert results.times[-1] == pytest.approx(700)
+        np.testing.assert_allclose(results.field("temperature"), ROOM + 200, rtol=1e-6)
+
     def test_a_step_ends_when_no_temperature_changes_faster(self, run):
         """(T0 - Ts)/s exp(-t/s) falls below the rate at s ln((T0 - Ts)/(s rate))."""
         rate = (ROOM - AROUND) / S * np.exp(-3)

@@ -65,7 +65,7 @@ def test_what_a_later_step_does_not_name_stays_as_the_amplitude_has_left_it(run)
 
 def test_radiation_to_surroundings_that_warm_up(run):
     loads = "*RADIATE, AMPLITUDE=B\nWIRE, R, 280, 0.5\n"
-    constants = "*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.670374e-8\n"
+    constants = "*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0, STEFAN BOLTZMANN=5.670374e-8\n"
     wave = "*AMPLITUDE, NAME=B\n0, 1, 1, 1.5\n"
     results = run("0.5, 1., , 0.5", model=wave + constants, loads=loads, procedure=STEADY)
     np.testing.assert_allclose(temperatures(results), [1.25 * 280, 1.5 * 280], rtol=1e-9)
@@ -105,5 +105,5 @@ def test_a_run_goes_on_from_every_increment(litz, tmp_path):
     ],
 )  # fmt: skip
 def test_refused(refused, loads, words):
-    model = WAVES + "*AMPLITUDE, NAME=N\n0, 1, 1, -1\n*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.67e-8\n"
+    model = WAVES + "*AMPLITUDE, NAME=N\n0, 1, 1, -1\n*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0, STEFAN BOLTZMANN=5.67e-8\n"
     assert words in refused(1, "1., 1.", model=model, loads=loads, procedure=STEADY)

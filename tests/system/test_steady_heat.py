@@ -133,7 +133,7 @@ class TestSides:
     FIN = "*FILM\nWIRE, F, 290, 40.\n"
     ROD = "*RADIATE\nWIRE, R, 290, 0.8\n"
     SIGMA = 5.670374419e-8
-    CONSTANTS = f"*PHYSICAL CONSTANTS, STEFAN BOLTZMANN={SIGMA}\n"
+    CONSTANTS = f"*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0, STEFAN BOLTZMANN={SIGMA}\n"
 
     @pytest.mark.parametrize("volt", [0.0, 0.05])
     @pytest.mark.parametrize("source", [0.0, 2e7])
@@ -161,12 +161,29 @@ class TestSides:
     @pytest.mark.parametrize(("unit", "zero"), [("K", 0.0), ("C", -273.15)])
     def test_a_wire_that_only_radiates_has_one_temperature(self, run, unit, zero):
         """I^2 R = eps sigma P L (T^4 - Ts^4)."""
-        constants = self.CONSTANTS.replace("CONSTANTS", f"CONSTANTS, ABSOLUTE ZERO={zero}")
+        constants = self.CONSTANTS.replace("ZERO=0", f"ZERO={zero}")
         loads = f"*RADIATE\nWIRE, R, {290 + zero}, 0.8\n"
         results = run(heat="1, 9, 9, 0.05", loads=loads, model=constants)
         power = 0.05**2 * AREA / (RHO * LENGTH)
         expected = (290**4 + power / (0.8 * self.SIGMA * 2 * np.pi * RADIUS * LENGTH)) ** 0.25 + zero
         np.testing.assert_allclose(results.field("temperature"), expected, rtol=1e-8)
+
+    @pytest.mark.parametrize("conductivity", [LAMBDA, 1.0, 0.01])
+    def test_a_wire_that_radiates_under_a_film_has_one_temperature_on_any_mesh(self, run, conductivity):
+        """q = h (T - Ts) + eps sigma (T^4 - Ts^4), also where elements are much longer than the length of the fin."""
+        from scipy.optimize import brentq
+
+        power = 0.05**2 * AREA / (RHO * LENGTH) / (2 * np.pi * RADIUS * LENGTH)
+        expected = brentq(lambda t: 400 * (t - 290) + 0.8 * self.SIGMA * (t**4 - 290**4) - power, 290, 2000, xtol=1e-10)
+        results = run(
+            elements=2,
+            heat="1, 9, 9, 0.05",
+            conductivity=conductivity,
+            loads="*FILM\nWIRE, F, 290, 400\n*RADIATE\nWIRE, R, 290, 0.8\n",
+            model=self.CONSTANTS,
+        )
+        np.testing.assert_allclose(results.field("temperature"), expected, rtol=1e-8)
+        assert results.field("surface_heat").sum() == pytest.approx(results.field("joule_heat").sum(), rel=1e-8)
 
     def test_a_radiating_wire_between_hot_ends(self, run):
         """Without a current: (lambda A/2) T'^2 = eps sigma P (T^5/5 - Ts^4 T) + constant; integrated by another program."""
@@ -212,6 +229,10 @@ class TestSides:
         ("changes", "words"),
         [
             (dict(loads=ROD), "*RADIATE needs the Stefan-Boltzmann constant"),
+            (
+                dict(loads=ROD, model="*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.67e-8\n"),
+                "*RADIATE needs temperatures from absolute zero",
+            ),
             (dict(loads="*RADIATE\nWIRE, R, 290, 1.2\n", model=CONSTANTS), "an emissivity is not larger than 1"),
             (dict(loads=FIN + "*FILM\n1, F, 290, 1\n"), "element 1 has another *FILM"),
             (dict(loads="*FILM\nWIRE, R, 290, 1\n"), "F"),

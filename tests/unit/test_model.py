@@ -350,6 +350,16 @@ def test_the_increments_of_a_step_over_time_are_those_of_the_keyword():
     assert other["DELTMX"] == 10.0
 
 
+def test_a_step_that_follows_its_error_begins_with_the_smallest_increment():
+    model, _ = warm_wire()
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", total=2.0, error=0.5)
+    model.step(procedure="COUPLED THERMAL-ELECTRICAL", total=2.0, error=0.5, smallest=1e-6)
+    assert [card.data for card in deck_of(model).find("COUPLED THERMAL-ELECTRICAL")] == [
+        [[2e-5, 2, 2e-5, 2]],
+        [[1e-6, 2, 1e-6, 2]],
+    ]
+
+
 def test_a_wire_in_the_air_is_as_warm_as_its_film_and_its_current_say(tmp_path):
     model = litz.Model("in the air")
     metal = litz.Material("METAL", 1e11, 0.3, 1e7, thermal_conductivity=100.0)

@@ -973,7 +973,8 @@ contains
          '3, 3, 4'//nl//'*ELEMENT, TYPE=B33, ELSET=B'//nl//'4, 3, 5'//nl//'*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl// &
          '1e11, 0.3'//nl//'*ELECTRICAL CONDUCTIVITY'//nl//sigma//'*CONDUCTIVITY'//nl//lambda//storage// &
          '*JOULE HEAT FRACTION'//nl//'0.8'//nl//'*MATERIAL, NAME=N'//nl//'*ELASTIC'//nl//'1e11, 0.3'//nl// &
-         '*CONDUCTIVITY'//nl//'2'//nl//storage//'*PHYSICAL CONSTANTS, STEFAN BOLTZMANN=5.67e-8'//nl// &
+         '*CONDUCTIVITY'//nl//'2'//nl//storage//'*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0,'//nl// &
+         'STEFAN BOLTZMANN=5.67e-8'//nl// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, SECTION=CIRC'//nl//'1e-3'//nl// &
          '*BEAM SECTION, ELSET=B, MATERIAL=N, SECTION=CIRC'//nl//'1e-3'//nl//whole_step//whole_step, problem)
       do trial = 1, 3

@@ -43,7 +43,8 @@ def deck(elements, *, ends, supply, sigma=f" {1 / RESISTIVITY:.17g}\n", conducti
     members = "".join(f" {i}, {i}, {i + 1}\n" for i in range(1, elements + 1))
     return (
         "*HEADING\n A single wire: steady currents and temperatures\n"
-        f"*PHYSICAL CONSTANTS, STEFAN BOLTZMANN={SIGMA}\n*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE=B33, ELSET=WIRE\n{members}"
+        f"*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0, STEFAN BOLTZMANN={SIGMA}\n"
+        f"*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE=B33, ELSET=WIRE\n{members}"
         "*MATERIAL, NAME=COPPER\n*ELASTIC\n 120.e9, 0.34\n"
         f"*ELECTRICAL CONDUCTIVITY\n{sigma}*CONDUCTIVITY\n{conductivity}"
         f"*BEAM SECTION, ELSET=WIRE, MATERIAL=COPPER, SECTION=CIRC\n {RADIUS}\n*NSET, NSET=ENDS\n 1, {elements + 1}\n"

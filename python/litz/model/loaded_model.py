@@ -323,7 +323,8 @@ class LoadedModel(SurfaceModel):
             Largest change of a temperature in an increment of a step over time [K], which then chooses the increments;
             without it and `error` all of them are as large as the first.
         error : float
-            Largest error that an increment of a step over time may add to a temperature [K], which then chooses the increments.
+            Largest error that an increment of a step over time may add to a temperature [K], which then chooses the increments,
+            the first one the smallest unless it is given.
         steady_rate : float
             A step over time ends as soon as no temperature changes faster [K/s].
         boundary_op, cload_op, cecurrent_op, dload_op, lorentz_op : {"MOD", "NEW"}

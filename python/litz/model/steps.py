@@ -6,6 +6,7 @@ from typing import Any
 
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
+from .increments import SMALLEST_FRACTION, first_and_largest
 from .loading import (
     Amplitude,
     Direction,
@@ -25,8 +26,6 @@ from .wires import WireGroup
 #: Default of INC: its ratio to the number of increments without cut-backs, and its minimum
 _INC_RATIO = 10
 _MIN_INC = 100
-#: Default of the smallest increment as a fraction of the step
-_SMALLEST_FRACTION = 1e-5
 
 
 class Step:
@@ -82,8 +81,7 @@ class Step:
         self.temperatures: list[Temperature] = []
         self.element_loads: list[ElementLoad] = []
         self.cards: list[CardSpec] = []
-        first = (total if increment is None else increment) if first is None else first
-        largest = (total if increment is None else increment) if largest is None else largest
+        first, largest = first_and_largest(total, increment, first, smallest, largest, error is not None)
         times: list[float | None] = [first, total, smallest, largest]
         self._static: CardSpec = (
             procedure.upper(),
@@ -99,7 +97,7 @@ class Step:
             largest = first
             times[2:] = [smallest] if smallest is not None else []
         else:
-            smallest = min(_SMALLEST_FRACTION * total, first) if smallest is None else smallest
+            smallest = min(SMALLEST_FRACTION * total, first) if smallest is None else smallest
             times[2:] = [smallest, largest]
             if not smallest <= first <= largest:
                 raise ValueError(
