@@ -119,6 +119,8 @@ contains
       contact%joule_heat = point%current*point%voltage_gap + point%heat_of_others
       if (point%line_place == 0) return
       contact%length = point%weight
+      contact%end_force = point%lap%round_end%force
+      contact%end_current = point%lap%round_end%share_of_conductance*point%current
       if (.not. point%closed) contact%length = point%weight*touching_length(point%cell)/sum(point%cell%reach)
    end function contact_of_point
 
