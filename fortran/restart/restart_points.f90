@@ -163,7 +163,6 @@ contains
       call table%field('d2weight_dlap2', point%lap%d2weight)
       call table%field('strip_bound', point%lap%strip_bound)
       call table%field('dstrip_bound_dlap', point%lap%dstrip_bound)
-      call table%field('dsection_share_dlap', point%lap%dsection_share)
       call table%field('round_end_share', point%lap%round_end%share)
       call table%field('round_end_distance', point%lap%round_end%distance)
       call table%field('round_end_beyond', point%lap%round_end%beyond)
