@@ -11,6 +11,7 @@ module litz_contact_capture
    use litz_model, only: model_t
    use litz_normal_forces, only: wires_of
    use litz_place_forces, only: force_along_line
+   use litz_spot_memory, only: shape_of_spot
    use litz_state, only: state_t, contact_t
    implicit none
    private
@@ -71,15 +72,15 @@ contains
 
       m = n_before
       do i = 1, size(points)
-         associate (point => points(i))
+         associate (point => points(i), shape => shape_of_spot(points(i)))
             if (point%closed) then
                history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
-                  force_along_line(point)/point%weight, point%friction, point%new_spot)
+                  force_along_line(point)/point%weight, shape, point%friction, point%new_spot)
                history%reverses = .false.
                if (allocated(point%friction_iteration)) history%reverses = point%friction_iteration%reverses
             else
                history = merge(spot_of_history(point%history, [point%arc_bar, point%arc], point%whole_force, &
-                  point%new_spot), contact_history_t(), point%gap < 0 .or. point%cell_touches)
+                  shape, point%new_spot), contact_history_t(), point%gap < 0 .or. point%cell_touches)
             end if
             history%dent = point%history%dent
             history%ploughing = point%ploughing
@@ -119,6 +120,8 @@ contains
       contact%joule_heat = point%current*point%voltage_gap + point%heat_of_others
       if (point%line_place == 0) return
       contact%length = point%weight
+      contact%end_force = point%lap%round_end%force
+      contact%end_current = point%lap%round_end%share_of_conductance*point%current
       if (.not. point%closed) contact%length = point%weight*touching_length(point%cell)/sum(point%cell%reach)
    end function contact_of_point
 

@@ -4,7 +4,7 @@ module litz_contact_spots
    use litz_axis_choices, only: axis_hermite
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
-   use litz_contact_history, only: force_of_spot
+   use litz_contact_history, only: spot_shape_t, force_of_spot
    use litz_contact_lens, only: angle_of_law
    use litz_contact_points, only: contact_point_t, law_bad_data
    use litz_element_library, only: elements_t
@@ -18,7 +18,7 @@ module litz_contact_spots
    use litz_normal_law, only: force_of_gap_t
    use litz_place_forces, only: force_along_line
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
-   use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was
+   use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, part_of_spot
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
    use litz_turned_lenses, only: turned_by
    use litz_wires, only: wires_t
@@ -134,25 +134,38 @@ contains
       real(dp) :: spot_force
       type(contact_point_t) :: earlier
       type(line_wires_t) :: present
+      type(spot_shape_t) :: shape
 
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
       call force_of_spot(law%spot_memory, point%history, force_along_line(point)/point%weight, point%new_spot, &
          spot_force, circuit%follows)
       present = point%line
-      if (law%spot_memory .and. point%spot_section > point%section_share) then
+      shape = shape_of_spot(point)
+      if (law%spot_memory .and. (point%spot_section > point%section_share .or. keeps_shape(law, point))) then
          earlier = as_it_was(law, pair, point)
-         point%line = earlier%line
+         call take_shape(shape_of_spot(earlier), earlier%line, point)
       end if
       if (point%line_place > 0) then
          call spot_of_cell(law, pair, spot_force, line_course(x, t, length, axis_hermite, point%foot_at_end, &
             point%kinematics), point, circuit)
       else
          call find_whole_spot(law, pair, spot_force, point, circuit%spot)
+         point%law_sine = shape%sine
          if (.not. circuit%follows > 0) call keep_what_touches(law, pair, spot_force, point, circuit)
       end if
-      ! that of the forces
-      point%line = present
+      ! those of the forces
+      call take_shape(shape, present, point)
    end subroutine find_spot_of_force
+
+   pure subroutine take_shape(shape, line, point)
+      type(spot_shape_t), intent(in) :: shape
+      type(line_wires_t), intent(in) :: line
+      type(contact_point_t), intent(inout) :: point
+
+      point%ellipse = shape%ellipse
+      point%law_sine = shape%sine
+      point%line = line
+   end subroutine take_shape
 
    !> The spot that a force makes of a crossing.
    pure subroutine find_whole_spot(law, pair, spot_force, point, spot)
@@ -190,7 +203,7 @@ contains
       !> In: with the whole spot
       type(spot_in_circuit_t), intent(inout) :: circuit
       type(lens_t) :: made, now
-      real(dp) :: long, round, whole(2), touching(2), half_width
+      real(dp) :: long, round, of_whole, whole(2), touching(2), half_width
       real(dp), dimension(2) :: whole_by_resistivity, touching_by_resistivity
       type(contact_spot_t) :: round_spot
 
@@ -207,13 +220,15 @@ contains
          round = 1 - long
          call spot_of_crossing(law, pair, spot_force, point, round_spot)
       end if
+      of_whole = point%weight*part_of_spot(law, point)*(1 - round)
       associate (spot => circuit%spot, of_strip => weight_of_lens(point)*(1 - round), &
          of_round => round*round_spot%conductance, left => now%half_length/made%half_length)
          spot = contact_spot_t()
          spot%semi_major = (1 - long)*made%half_length + long*now%half_length
          spot%semi_minor = half_width
-         spot%conductance = of_strip*((1 - long)*whole(1) + long*touching(1)) + of_round*(1 - long + long*left)
-         spot%dconductance_dresistivity = of_strip*((1 - long)*whole_by_resistivity + long*touching_by_resistivity) &
+         spot%conductance = of_whole*(1 - long)*whole(1) + of_strip*long*touching(1) + of_round*(1 - long + long*left)
+         spot%dconductance_dresistivity = of_whole*(1 - long)*whole_by_resistivity &
+            + of_strip*long*touching_by_resistivity &
             + round*round_spot%dconductance_dresistivity*(1 - long + long*left)
          circuit%dconductance_dgap = long*(of_strip*touching(2) + of_round*now%dhalf_length_dgap/made%half_length)
          circuit%dconductance = circuit%dconductance_dgap*point%kinematics%dgap
@@ -295,7 +310,7 @@ contains
          if (info /= spot_ok) point%law_status = law_bad_data
       end do
       call lens_integral(lens, at%conductance, at%dconductance_dforce, spot%conductance, dconductance_dgap)
-      weight = weight_of_lens(point)
+      weight = point%weight*part_of_spot(law, point)
       spot%conductance = weight*spot%conductance
       ! by the force that the point has, which may be that of an ellipse
       spot%dconductance_dforce = weight*dconductance_dgap/slope_of(law, point)
@@ -309,14 +324,16 @@ contains
       type(contact_point_t), intent(in) :: point
       type(lens_t), intent(in) :: lens
       type(lens_spot_t) :: strip
+      real(dp) :: weight
 
       strip = lens_spot(point%line, lens, number_of(law%spot, law%spot%film_number), &
          number_of(law%spot, law%spot%hardness_number))
+      weight = point%weight*part_of_spot(law, point)
       spot%semi_major = lens%half_length
       spot%semi_minor = strip%half_width
-      spot%conductance = weight_of_lens(point)*strip%conductance
-      spot%dconductance_dforce = weight_of_lens(point)*strip%dconductance_dgap/slope_of(law, point)
-      spot%dconductance_dresistivity = weight_of_lens(point)*strip%dconductance_dresistivity
+      spot%conductance = weight*strip%conductance
+      spot%dconductance_dforce = weight*strip%dconductance_dgap/slope_of(law, point)
+      spot%dconductance_dresistivity = weight*strip%dconductance_dresistivity
    end function spot_of_lens
 
    !> dF/dg of the force by which the spot of a lens follows the gap [N/m].

@@ -14,9 +14,8 @@ module litz_lap_of_place
       !> How the length for which the place stands changes with the distance of its foot from the end of the other wire
       !> [-], and how that does [1/m]
       real(dp) :: dweight = 0, d2weight = 0
-      !> `exp(-2 Lambda)/b^2` of a strip as long as the lap, as far as that is short [1/m^2]; how it changes with that
-      !> distance [1/m^3], and how the share of the sections does [1/m]
-      real(dp) :: strip_bound = 0, dstrip_bound = 0, dsection_share = 0
+      !> `exp(-2 Lambda)/b^2` of a strip as long as the lap [1/m^2], and how it changes with that distance [1/m^3]
+      real(dp) :: strip_bound = 0, dstrip_bound = 0
       !> At the end of the wire of the place: that beside the line
       type(round_end_t) :: round_end
    end type lap_of_place_t
@@ -29,12 +28,10 @@ module litz_lap_of_place
 contains
 
    !> What the energy of a place, `W Pi_l` and that of the round end, does along the other wire as the lap changes.
-   pure type(lap_force_t) function force_along_lap(lap, line, section_share, weight, law, of_end) result(along)
+   pure type(lap_force_t) function force_along_lap(lap, line, weight, law, of_end) result(along)
       type(lap_of_place_t), intent(in) :: lap
       !> As the place sees it
       type(line_wires_t), intent(in) :: line
-      !> [-]
-      real(dp), intent(in) :: section_share
       !> W [m]
       real(dp), intent(in) :: weight
       !> At the overlap
@@ -48,12 +45,10 @@ contains
          along%by_overlap = lap%dweight*law%force + dbeyond*of_end%along_by_overlap
          along%stiffness = lap%d2weight*law%energy + dbeyond**2*of_end%along_stiffness
       end associate
-      if (.not. any(abs([lap%dstrip_bound, lap%dsection_share]) > 0)) return
+      if (.not. abs(lap%dstrip_bound) > 0) return
       if (.not. line%section > 0 .or. law%too_wide) return
       ! of ln(section), which is a share of that of the wires and that of the strip
-      slope = lap%dstrip_bound
-      if (section_share > 0) slope = slope + lap%dsection_share*(line%section - lap%strip_bound)/section_share
-      slope = slope/line%section
+      slope = lap%dstrip_bound/line%section
       curvature = -slope**2
       change = change_by_section(line, law%force)
       along%force = along%force + weight*slope*change%energy

@@ -123,7 +123,6 @@ contains
          point%weight = max(0.0_dp, point%weight + (point%lap%dweight + point%lap%d2weight*slid/2)*slid)
          point%lap%dweight = point%lap%dweight + point%lap%d2weight*slid
          point%lap%strip_bound = max(0.0_dp, point%lap%strip_bound + point%lap%dstrip_bound*slid)
-         point%section_share = max(0.0_dp, min(1.0_dp, point%section_share + point%lap%dsection_share*slid))
          associate (round => point%lap%round_end)
             round%beyond = round%beyond + round%dbeyond*slid
          end associate
@@ -220,9 +219,9 @@ contains
       lap = maxval(min(distances_to_ends(wires, elements, point%element, point%arc), other_way(wires, elements, point)))
    end function lap_at_crossing
 
-   !> Between ends the sections bound the field of a place only as far as the lap is long, as they do in a lens; else
-   !> the strip itself does, pressed evenly: its approach is that in the middle of the lap, `2 f/(pi E*) (ln(4 h/b) +
-   !> 1/2)` of the half length h, and a little more for the round ends beyond it.
+   !> Between ends that are near each other the strip itself bounds the field of a place, beside the sections. Pressed
+   !> evenly its approach in a half-space is `2 f/(pi E*) (ln(4 h/b) + 1/2)` in the middle of the lap, with the half
+   !> length h, and a little more for the round ends beyond it.
    pure subroutine bound_by_lap(wires, elements, radius, point)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -230,26 +229,22 @@ contains
       real(dp), intent(in) :: radius
       !> In: with the end that it is next to; out: with the end that bounds its lap alone
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: lap, length, share, of_strip, to_ends(2)
+      real(dp) :: lap, length, of_strip, short, to_ends(2)
       integer :: side
 
       call find_lap_round(wires, elements, point, lap, side)
       length = exp(0.5_dp)*lap/2 + beyond_lap*radius
       of_strip = (4*length)**(-2)
-      share = point%history%dent%share_of_section(share_of_line(lap/2/radius))
-      point%lap%strip_bound = (1 - share)*of_strip
+      short = 1 - share_of_line(lap/2/radius)
+      point%lap%strip_bound = short*of_strip
       if (side > 0 .and. (side == point%lens%side(1) .or. .not. point%lens%near(1))) then
          to_ends = distances_to_ends(wires, elements, point%element_bar, point%arc_bar)
          point%lens%near(1) = .true.
          point%lens%side(1) = side
          point%place(1) = to_ends(side)
-         associate (dshare => slope_of_line_share(lap/2/radius)/(2*radius))
-            point%lap%dstrip_bound = -exp(0.5_dp)*point%lap%strip_bound/length - dshare*of_strip
-            if (share < point%section_share) point%lap%dsection_share = dshare
-         end associate
+         point%lap%dstrip_bound = -exp(0.5_dp)*point%lap%strip_bound/length &
+            - slope_of_line_share(lap/2/radius)/(2*radius)*of_strip
       end if
-      point%section_share = min(point%section_share, share)
-      if (.not. point%in_lens) point%spot_section = point%section_share
    end subroutine bound_by_lap
 
    !> The round end of the wire of a place that is its last one: half of its Hertz contact, as far as the places along

@@ -463,7 +463,7 @@ contains
       point%at_gap = force_of_gap_t(force=law%force, dforce_dgap=-law%stiffness, energy=law%energy)
       point%lap%round_end%force = law%of_end%force
       if (point%lens%near(1) .and. point%closed) then
-         along = force_along_lap(point%lap, point%line, point%section_share, point%weight, law%per_length, law%of_end)
+         along = force_along_lap(point%lap, point%line, point%weight, law%per_length, law%of_end)
          point%slide_force = [along%force, 0.0_dp]
          point%slide_by_overlap = [along%by_overlap, 0.0_dp]
          point%slide_stiffness = 0

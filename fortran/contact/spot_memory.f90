@@ -3,7 +3,10 @@
 !> Source: theory section 10. Whatever a point carries of a contact, it remembers what the whole contact has made.
 module litz_spot_memory
    use litz_kinds, only: dp
+   use litz_contact_history, only: spot_shape_t
    use litz_contact_points, only: contact_point_t
+   use litz_cut_forces, only: kept_part
+   use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_friction_law, only: friction_slip
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
@@ -20,7 +23,7 @@ module litz_spot_memory
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: follow_spots, leaves_spot, lens_of_spot, as_it_was
+   public :: follow_spots, leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, part_of_spot
 
 contains
 
@@ -147,9 +150,38 @@ contains
       real(dp), intent(in) :: force
       type(overlap_of_force_t) :: made
 
+      overlap_of_spot = point%history%spot_shape%overlap
+      if (keeps_shape(law, point)) return
       made = overlap_of_point(law%normal, pair, point, point%weight*force, point%weight)
       overlap_of_spot = made%overlap
    end function overlap_of_spot
+
+   !> Next to an end a spot that stays has the shape that it had under the largest force: what a smaller overlap is cut
+   !> to, and the angle that its law sees, are others.
+   pure logical function keeps_shape(law, point)
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+
+      keeps_shape = law%spot_memory .and. point%line_place == 0 .and. is_cut(point%lens) .and. .not. law%normal%yields()
+      keeps_shape = keeps_shape .and. .not. point%new_spot .and. point%history%spot_shape%overlap > 0 &
+         .and. point%history%largest_force*point%weight > point%force
+   end function keeps_shape
+
+   !> Of the lens of a crossing, what ends have left of it when the spot was made [-].
+   pure real(dp) function part_of_spot(law, point)
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+
+      part_of_spot = kept_part(point)
+      if (keeps_shape(law, point)) part_of_spot = point%history%spot_shape%part
+   end function part_of_spot
+
+   !> The present one.
+   pure type(spot_shape_t) function shape_of_spot(point) result(shape)
+      type(contact_point_t), intent(in) :: point
+
+      shape = spot_shape_t(point%ellipse, point%law_sine, max(0.0_dp, -point%gap), kept_part(point))
+   end function shape_of_spot
 
    !> The point with the law that it had when its spot was made: the section counts as in its largest lens.
    pure type(contact_point_t) function as_it_was(law, pair, point) result(earlier)
@@ -159,7 +191,16 @@ contains
 
       earlier = point
       ! the force of a crossing does not depend on the section if it has a penalty
-      if (point%line_place > 0 .or. .not. law%normal%line_penalty() > 0) earlier%section_share = point%spot_section
+      if (point%line_place > 0 .or. .not. law%normal%line_penalty() > 0) earlier%section_share &
+         = max(point%section_share, point%spot_section)
+      if (keeps_shape(law, point)) then
+         associate (shape => point%history%spot_shape, ellipse => point%history%spot_shape%ellipse)
+            earlier%law_sine = shape%sine
+            ! which no longer changes with the angle
+            if (ellipse%semi_major > 0 .and. .not. law%normal%is_straight) earlier%ellipse = &
+               hertz_ellipse_t(ellipse%ratio, ellipse%semi_major, ellipse%approach, ellipse%modulus)
+         end associate
+      end if
       earlier%line = line_of_point(pair, earlier)
    end function as_it_was
 

@@ -67,6 +67,7 @@ contains
       circuit%dconductance = density*(of_strip%derivative(2)*course%dslope + of_strip%derivative(3)*course%dbend) &
          + circuit%dconductance_dgap*point%kinematics%dgap
       circuit%dconductance_dln_force = circuit%follows*density*of_strip%by_ln_force
+      point%lap%round_end%share_of_conductance = 0
       if (point%lap%round_end%hertz > 0 .and. point%gap < 0) call add_round_end(law, pair, deeper, point, circuit)
    end subroutine spot_of_cell
 
@@ -95,6 +96,8 @@ contains
       by_ln_force = circuit%follows*at%part*whole%dconductance_dforce*force
       by_overlap = 1.5_dp*by_ln_force/overlap + circuit%follows*at%dpart*whole%conductance
       circuit%spot%conductance = circuit%spot%conductance + at%part*whole%conductance
+      if (circuit%spot%conductance > 0) point%lap%round_end%share_of_conductance = at%part*whole%conductance &
+         /circuit%spot%conductance
       circuit%spot%dconductance_dresistivity = circuit%spot%dconductance_dresistivity &
          + at%part*whole%dconductance_dresistivity
       circuit%dconductance = circuit%dconductance - by_overlap*point%kinematics%dgap

@@ -5,10 +5,11 @@
 module litz_contact_history
    use litz_kinds, only: dp
    use litz_friction_law, only: friction_law_t, friction_slip
+   use litz_hertz, only: hertz_ellipse_t
    use litz_law_input, only: earlier_dent_t
    implicit none
    private
-   public :: contact_history_t, dent_memory_t, left_dents_t, advanced_history, spot_of_history, force_of_spot
+   public :: contact_history_t, spot_shape_t, dent_memory_t, left_dents_t, advanced_history, spot_of_history, force_of_spot
 
    !> The dent of wires that yield, which a contact that opens keeps.
    type :: dent_memory_t
@@ -35,6 +36,13 @@ module litz_contact_history
       integer, allocatable :: wires(:, :)
       type(dent_memory_t), allocatable :: dents(:)
    end type left_dents_t
+
+   !> The shape of the spot of a crossing: next to an end that of a smaller overlap is another one.
+   type :: spot_shape_t
+      type(hertz_ellipse_t) :: ellipse
+      !> Sine of the angle that its law sees [-], overlap [m], and what ends leave of its lens [-]
+      real(dp) :: sine = 0, overlap = 0, part = 1
+   end type spot_shape_t
 
    type :: contact_history_t
       !> The contact was closed; all else is zero where it was not
@@ -63,6 +71,8 @@ module litz_contact_history
       !> [N], of a place of a line per length [N/m]; and the arc lengths where it had it (2) [m]
       real(dp) :: largest_force = 0
       real(dp) :: spot_arc(2) = 0
+      !> Of a crossing: what shape its spot had then
+      type(spot_shape_t) :: spot_shape
       type(dent_memory_t) :: dent
       !> Heat in whose steady state the temperature within both elements would be, slow and fast part, barred and
       !> unbarred (2, 2) [W]
@@ -104,12 +114,14 @@ contains
    end function share_of_section
 
    !> The memory of a contact that is closed when an increment has converged.
-   pure function advanced_history(start, arc, force, weight, spot_force, friction, new_spot) result(history)
+   pure function advanced_history(start, arc, force, weight, spot_force, shape, friction, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], normal force [N], share [-] or length [m]
       real(dp), intent(in) :: arc(2), force, weight
       !> Force of the whole contact [N] or per length [N/m]
       real(dp), intent(in) :: spot_force
+      !> Of a crossing
+      type(spot_shape_t), intent(in) :: shape
       type(friction_law_t), intent(in) :: friction
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
@@ -125,35 +137,41 @@ contains
       history%dissipation = start%dissipation + friction%dissipation
       history%last_dissipation = friction%dissipation
       history%elastic_energy = start%elastic_energy + friction%elastic_work
-      call remember_spot(start, arc, spot_force, new_spot, history)
+      call remember_spot(start, arc, spot_force, shape, new_spot, history)
    end function advanced_history
 
    !> What is left of the memory where the wires still overlap, but other points carry the contact: their spot, which
    !> goes on to be that of the whole contact.
-   pure type(contact_history_t) function spot_of_history(start, arc, spot_force, new_spot) result(history)
+   pure type(contact_history_t) function spot_of_history(start, arc, spot_force, shape, new_spot) result(history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], and force of the whole contact [N] or per length [N/m]; 0: unknown
       real(dp), intent(in) :: arc(2), spot_force
+      !> Of a crossing
+      type(spot_shape_t), intent(in) :: shape
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
 
-      call remember_spot(start, arc, spot_force, new_spot, history)
+      call remember_spot(start, arc, spot_force, shape, new_spot, history)
    end function spot_of_history
 
-   !> The largest force, and where it was.
-   pure subroutine remember_spot(start, arc, spot_force, new_spot, history)
+   !> The largest force, where it was, and the shape of the spot.
+   pure subroutine remember_spot(start, arc, spot_force, shape, new_spot, history)
       type(contact_history_t), intent(in) :: start
       !> Arc lengths (2) [m], force [N] or force per length [N/m]
       real(dp), intent(in) :: arc(2), spot_force
+      !> Of a crossing
+      type(spot_shape_t), intent(in) :: shape
       !> The contact has left the spot of its largest force
       logical, intent(in) :: new_spot
       type(contact_history_t), intent(inout) :: history
 
       history%largest_force = start%largest_force
       history%spot_arc = start%spot_arc
+      history%spot_shape = start%spot_shape
       if (.not. (new_spot .or. spot_force >= start%largest_force)) return
       history%largest_force = spot_force
       history%spot_arc = arc
+      history%spot_shape = shape
    end subroutine remember_spot
 
    !> Force that has made the spot of a contact, and its derivative with respect to the present force.

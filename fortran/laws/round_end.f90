@@ -21,8 +21,8 @@ module litz_round_end
       real(dp) :: distance = 0
       !> How far the other wire goes on beyond the end [m], and how that changes with the place on it [-]
       real(dp) :: beyond = huge(1.0_dp), dbeyond = 0
-      !> At the present overlap [N]
-      real(dp) :: force = 0
+      !> At the present overlap [N], and what of the conductance of the place is that of its spot [-]
+      real(dp) :: force = 0, share_of_conductance = 0
    end type round_end_t
 
    !> Energy [J], its derivatives by the overlap [N, N/m], and by how far the other wire goes on, first [N], mixed and

@@ -190,6 +190,10 @@ contains
       call table%field('length', c%length, 'm', 'length that a point of a line contact stands for; 0 where wires cross')
       call table%field('spacing', c%spacing, 'm', &
          'distance of neighbouring points of a line contact along the second wire; 0 where wires cross')
+      call table%field('end_force', c%end_force, 'N', &
+         'of the force of a point of a line contact: that of the round end of the second wire')
+      call table%field('end_current', c%end_current, 'A', &
+         'of its current: what passes through the spot of that round end')
       call table%field('normal', c%normal, '1', 'unit normal from the unbarred to the barred wire')
       call table%field('point_1', c%point_bar, 'm', 'point of the first axis')
       call table%field('point_2', c%point, 'm', 'point of the second axis')

@@ -55,6 +55,8 @@ module litz_state
       real(dp) :: length = 0
       !> Distance of neighbouring places there, along the unbarred wire [m]; 0: the wires cross
       real(dp) :: spacing = 0
+      !> What of the force [N] and of the current [A] of such a point is that of the round end of the unbarred wire
+      real(dp) :: end_force = 0, end_current = 0
    end type contact_t
 
    !> The contact of one element with a rigid surface.

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from verification.references.end_in_half_space import force_of_lap, force_of_tip
 
-from line_wires import COPPER, two_wires
-from test_contact_at_ends import HELD, from_tip, moved, solved
+from line_wires import COPPER, HERTZ, spot, two_wires
+from test_contact_at_ends import HELD, VOLT, from_tip, moved, solved
 
 RADIUS = COPPER.radius
 MODULUS = COPPER.young / (1 - COPPER.poisson**2) / 2
@@ -56,9 +56,38 @@ def test_a_wire_bent_over_a_lap_is_pressed_with_rising_force(run):
     lower = np.linspace((-11 * RADIUS, 0, 0), (half, 0, 0), 25)
     overlaps, forces, _ = pressed(run, lower, upper, 0.024, 48)
     assert np.diff(forces).min() > 0
-    for i in (15, 30):
-        exact = force_of_lap(2 / overlaps[i] ** 0.5, 0.024, cells=80) * overlaps[i] ** 1.5
+    # ends alone on a half-space, all of the lap on solid wires
+    for i, solid in ((15, 0.0), (30, overlaps[30])):
+        exact = force_of_lap(2 / overlaps[i] ** 0.5, 0.024, cells=80, overlap=solid) * overlaps[i] ** 1.5
         assert forces[i] == pytest.approx(exact, rel=0.08)
+
+
+FROM_TIP = from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, 0.03), n=12)
+TO_END = np.linspace((-12 * RADIUS, 0, 0), (0, 0, 0), 13)
+ENDS = {
+    "tip": (ALONG, FROM_TIP),
+    "tip beside a line": (ALONG, from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, 0.01), n=12)),
+    "lap of a tenth of a radius": (TO_END, TO_END * [-1, 1, 1] + [-0.1 * RADIUS, 0, 2 * RADIUS]),
+    "lap of a radius": (TO_END, TO_END * [-1, 1, 1] + [-RADIUS, 0, 2 * RADIUS]),
+    "crossing": (TO_END + [0.06 * RADIUS, 0, 0], from_tip((-0.04 * RADIUS, -0.04 * RADIUS, 2 * RADIUS), (1, 1, 0))),
+}
+
+
+@pytest.mark.parametrize("spot_law", ["HERTZ, SPOT=LARGEST FORCE", "PLASTIC, SPOT=LARGEST FORCE\n 1e9"])
+@pytest.mark.parametrize("case", ENDS)
+def test_next_to_an_end_a_spot_that_stays_has_the_shape_of_its_largest_force(run, case, spot_law):
+    """A smaller overlap is cut less; where the wires touch along a line the spot stays where they still do."""
+    steps = [
+        moved(0, 0, -overlap * RADIUS, increments=6).replace("*END STEP", f"{VOLT}*END STEP")
+        for overlap in (0.01, 0.0005, 0.01)
+    ]
+    results = solved(run(two_wires(*ENDS[case], HELD, *steps, law=HERTZ + spot(spot_law))))
+    conductance = np.array([(1 / results.contacts_at(i)["resistance"]).sum() for i in range(1, 19)])
+    made, released, pressed_again = conductance[5], conductance[6:12], conductance[12:]
+    # places along the line have the conductance of the end to 1 %, and leave the contact to it as it becomes shorter
+    assert np.diff([made, *released]).max() < 5e-3 * made
+    assert released.min() > (0.995 if case != "tip beside a line" else 0.85) * made
+    assert pressed_again[-1] == pytest.approx(made, rel=1e-6)
 
 
 def test_a_short_lap_that_slides_does_the_work_that_it_holds(run):

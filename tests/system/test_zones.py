@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import pyvista
 from matplotlib.image import imread
+from verification.references.hertz import effective_modulus, end_on_wire
 from verification.references.parallel_wires import ParallelWires
 from verification.references.touching_beams import Cantilevers
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -55,6 +56,27 @@ class TestClosedForms:
         # a volt drives the current through the contact alone, from the lower wire to the upper one
         conductance = exact.conductance(force) * LENGTH
         assert [zone["conductance"], zone["current"], zone["joule_heat"]] == pytest.approx([conductance] * 3, rel=1e-8)
+
+    @pytest.mark.parametrize("elements", [20, 37, 130])
+    def test_a_lap_has_force_current_and_heat_per_length_of_a_line_up_to_its_ends(self, run, elements):
+        """The round ends of both wires are told by themselves: over the length of a place they would be any value."""
+        law = HERTZ + spot("HERTZ, VOLTAGE=LINEAR")
+        results = solved(run(pressed(OVERLAP, elements=(20, elements), shift=LENGTH / 2, cards=(VOLT,), law=law)))
+        exact = ParallelWires(COPPER, COPPER)
+        force = exact.force(OVERLAP)
+        conductance = exact.conductance(force)
+        zones = results.contact_zones()
+        largest = [zones[f"max_{name}_per_length"][0] for name in ("force", "current", "heat")]
+        assert largest == pytest.approx([force, conductance, conductance], rel=1e-8)
+
+        contacts, modulus = results.contacts_at(-1), effective_modulus([COPPER.young] * 2, [COPPER.poisson] * 2)
+        of_metal = dict(radius=[COPPER.radius] * 2, modulus=modulus, resistivity=[COPPER.resistivity] * 2)
+        of_end = (OVERLAP / end_on_wire(1.0, **of_metal).approach) ** 1.5
+        assert contacts["end_force"][contacts["end_force"] > 0] == pytest.approx([of_end / 2] * 2, rel=1e-8)
+        assert zones["force"][0] == pytest.approx(force * LENGTH / 2 + of_end, rel=1e-8)
+        of_end = 1 / end_on_wire(of_end, **of_metal).resistance
+        assert np.abs(contacts["end_current"]).sum() == pytest.approx(of_end, rel=1e-8)
+        assert zones["current"][0] == pytest.approx(conductance * LENGTH / 2 + of_end, rel=1e-8)
 
     def test_wires_that_cross_have_no_zone(self, run):
         results = solved(run(pressed(OVERLAP, degrees=60, cards=(NO_FIELD,))))

@@ -8,8 +8,8 @@ program test_lap_of_place
    implicit none
 
    real(dp), parameter :: overlap = 3.0e-6_dp
-   !> Share of the sections, length for which the place stands [m], and how far the lap changes [m]
-   real(dp), parameter :: share = 0.3_dp, weight = 1.0e-4_dp, step = 1.0e-7_dp
+   !> Length for which the place stands, and how far the lap changes [m]
+   real(dp), parameter :: weight = 1.0e-4_dp, step = 1.0e-7_dp
    type(wire_pair_t) :: wires
    type(line_wires_t) :: parallel
    type(lap_of_place_t) :: lap
@@ -24,7 +24,6 @@ program test_lap_of_place
    lap%d2weight = 2.0e3_dp
    lap%strip_bound = (6.0e-3_dp)**(-2)
    lap%dstrip_bound = -2.0e3_dp*lap%strip_bound
-   lap%dsection_share = 150.0_dp
    call the_force_is_that_of_the_energy()
    if (failures > 0) error stop 1
 
@@ -36,7 +35,7 @@ contains
       real(dp) :: expected(3), h
 
       law = line_force(line_at(0.0_dp), overlap, 0.0_dp)
-      along = force_along_lap(lap, line_at(0.0_dp), share, weight, law, end_force_t())
+      along = force_along_lap(lap, line_at(0.0_dp), weight, law, end_force_t())
       h = 1.0e-3_dp*overlap
       expected(1) = (energy(step, overlap) - energy(-step, overlap))/(2*step)
       expected(2) = (energy(step, overlap + h) - energy(-step, overlap + h) - energy(step, overlap - h) &
@@ -61,11 +60,9 @@ contains
    type(line_wires_t) function line_at(way) result(line)
       !> [m]
       real(dp), intent(in) :: way
-      real(dp) :: of_section
 
       line = parallel
-      of_section = share + lap%dsection_share*way
-      line%section = of_section*parallel%section + lap%strip_bound + lap%dstrip_bound*way
+      line%section = parallel%section + lap%strip_bound + lap%dstrip_bound*way
    end function line_at
 
    subroutine check(name, ratio, tolerance)

@@ -1,6 +1,7 @@
-"""Round ends of wires on wires: tips that lean, crossings just before an end, and short laps, as in a half-space.
+"""Round ends of wires on wires: tips that lean, crossings just before an end, and short laps; and lenses of small angles.
 
-Source: boundary-element solutions, references/end_in_half_space.py.
+Source: boundary-element solutions, references/end_in_half_space.py: of contacts that are short beside the radius on a
+half-space, of others on solid wires, references/solid_wire.py.
 """
 
 import math
@@ -15,16 +16,18 @@ from verification.wire_decks import Wire
 RADIUS, OVERLAP = 1e-3, 1e-5
 WIRE = Wire(radius=RADIUS, young=120e9, poisson=0.34, resistivity=0.0)
 MODULUS = WIRE.young / (1 - WIRE.poisson**2) / 2
-#: E* r^(1/2) delta^(3/2) [N], and sqrt(r delta) [m]
-FORCE, LENGTH = MODULUS * RADIUS**0.5 * OVERLAP**1.5, math.sqrt(RADIUS * OVERLAP)
+#: E* r^(1/2) [N m^(-3/2)], and sqrt(r delta) [m]
+STIFFNESS, LENGTH = MODULUS * RADIUS**0.5, math.sqrt(RADIUS * OVERLAP)
 #: Slopes of tips, in sqrt(delta/r)
 SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1)
 #: Lengths of laps, and of one whose wires part by these curvatures [1/r], in sqrt(r delta)
 LAPS, ARCH, BENDS = (2.5, 5.0, 10.0, 20.0), 20.0, (0.01, 0.02, 0.03)
 #: Places of crossings before the end, in sqrt(r delta)
 BEFORE = (0.0, 0.3, 0.6, 1.0)
-#: Angles of crossings [degrees], and their place before the end of one wire or of both
-ANGLES, ASIDE = (60, 45, 30, 22), 0.6
+#: Angles of crossings [degrees], and their place before the end of one wire or of both; the overlap of these [m]
+ANGLES, ASIDE, SLIGHT = (60, 45, 30, 22), 0.6, 1e-6
+#: Half lengths of lenses [r] at either overlap
+LENSES = (0.3, 0.7, 2.0, 3.0, 4.0)
 
 
 def measure(workspace):
@@ -37,9 +40,17 @@ def measure(workspace):
         "ends_on_wires.laps": laps,
         "ends_on_wires.arches": arches,
         "ends_on_wires.crossings": across,
-        "ends_on_wires.oblique": [force_of(workspace, f"oblique_{angle}", oblique(angle)) for angle in ANGLES],
+        "ends_on_wires.oblique": [
+            force_of(workspace, f"oblique_{angle}", oblique(angle), overlap=SLIGHT) for angle in ANGLES
+        ],
         "ends_on_wires.two_ends": [
-            force_of(workspace, f"two_ends_{angle}", oblique(angle), ASIDE * LENGTH) for angle in ANGLES
+            force_of(workspace, f"two_ends_{angle}", oblique(angle), ASIDE * length_of(SLIGHT), overlap=SLIGHT)
+            for angle in ANGLES
+        ],
+        "ends_on_wires.lenses": [
+            force_of(workspace, f"lens_{overlap}_{half}", crossing(half * RADIUS, overlap), overlap=overlap)
+            for overlap in (SLIGHT, OVERLAP)
+            for half in LENSES
         ],
         "figure": {"tips": tips, "laps": laps},
     }
@@ -48,11 +59,13 @@ def measure(workspace):
 def draw(values, path):
     with figures.panels(path) as (tips, laps):
         tips.plot(SLOPES, values["figure"]["tips"], "o", label="litz")
-        tips.plot(SLOPES, [1.133, 1.186, 1.433, 1.803, 2.260], label="half-space", **figures.REFERENCE)
+        tips.plot(
+            SLOPES, [1.133, 1.185, 1.432, 1.803, 2.261], label="boundary elements", **figures.REFERENCE
+        )
         tips.set(xlabel="slope of the tip [(delta/r)^(1/2)]", ylabel="force [E* r^(1/2) delta^(3/2)]", ylim=(0, None))
         tips.legend()
         laps.plot(LAPS, values["figure"]["laps"], "o")
-        laps.plot(LAPS, [2.106, 2.943, 4.449, 7.147], **figures.REFERENCE)
+        laps.plot(LAPS, [2.404, 3.499, 5.642, 9.908], **figures.REFERENCE)
         laps.set(xlabel="length of the lap [(r delta)^(1/2)]", ylim=(0, None))
 
 
@@ -66,8 +79,15 @@ def straight(tip, slope, n=10, length=10 * RADIUS):
 
 def oblique(degrees):
     """Points of a wire that crosses the x axis at an angle, just behind its own end."""
-    along = np.linspace(-ASIDE * LENGTH, 10 * RADIUS, 12)[:, None]
+    along = np.linspace(-ASIDE * length_of(SLIGHT), 10 * RADIUS, 12)[:, None]
     return along * [math.cos(math.radians(degrees)), math.sin(math.radians(degrees)), 0]
+
+
+def crossing(half_length, overlap):
+    """Points of a wire that crosses the x axis at the angle at which the lens is so long [m]."""
+    sine = 2 * math.sqrt(RADIUS * overlap * (1 - overlap / (4 * RADIUS))) / half_length
+    along = np.linspace(-11.87 * RADIUS, 10.13 * RADIUS, 23)[:, None]
+    return along * [math.sqrt(1 - sine**2), sine, 0]
 
 
 def lap(length, bend=0.0):
@@ -80,7 +100,12 @@ def lap(length, bend=0.0):
     return np.column_stack([x, 0 * x, height]), length / 2
 
 
-def force_of(workspace, name, upper, end=12 * RADIUS):
+def length_of(overlap):
+    """The unit of lengths [m]."""
+    return math.sqrt(RADIUS * overlap)
+
+
+def force_of(workspace, name, upper, end=12 * RADIUS, overlap=OVERLAP):
     """Force of the upper wire on one along x that ends there, over E* r^(1/2) delta^(3/2)."""
     lower = np.array([end, 0, 0]) - np.linspace(20 * RADIUS, 0, 21)[:, None] * [1, 0, 0]
     deck = join(
@@ -90,9 +115,9 @@ def force_of(workspace, name, upper, end=12 * RADIUS):
         material("METAL", WIRE, "LOWER", "UPPER"),
         touching(("LOWER", "UPPER")),
         "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, 1, 2\n UPPER, 4, 6",
-        step(f"*BOUNDARY\n UPPER, 3, 3, {-OVERLAP:.17g}"),
+        step(f"*BOUNDARY\n UPPER, 3, 3, {-overlap:.17g}"),
     )
-    return float(workspace.run(name, deck).contacts_at(-1)["force"].sum()) / FORCE
+    return float(workspace.run(name, deck).contacts_at(-1)["force"].sum()) / (STIFFNESS * overlap**1.5)
 
 
 if __name__ == "__main__":

@@ -28,6 +28,9 @@ CROSSED, SMALL = (
 FILM, PER_LENGTH, HARDNESS = 1e-11, 1e-7, 1e9
 #: Angles from point to line [rad], each 2 % below the one before, from 20 to 0.5 degrees, and spots that are compared there
 FINE = np.radians(20 * 0.98 ** np.arange(184))
+#: Increments from one of these angles to the next where the resistance is held against the force: which part of it places
+#: carry, and the angle they see, may be those of the increment before while they change by less than 2 %
+CLOSE = 4
 SPOTS = {
     "metal": "HERTZ, VOLTAGE=LINEAR",
     "film": f"FILM, VOLTAGE=LINEAR\n {FILM}",
@@ -90,11 +93,12 @@ def sweep(spot, shift=0.0, *, angles=ANGLES, force=FORCE, elements=ELEMENTS, ela
     )
 
 
-def from_point_to_line(run, spot, **options):
-    """Overlap and resistance at the angles `FINE`; `run` takes a name and a deck."""
+def from_point_to_line(run, spot, *, increments=1, **options):
+    """Overlap and resistance at the angles `FINE`, with so many increments from one to the next; `run` takes a deck."""
     approaching = np.radians(np.geomspace(90, 20, 40))[:-1]
-    text = sweep(spot, SHIFT, angles=np.concatenate([approaching, FINE]), **options)
-    return tuple(column[len(approaching) :] for column in columns(run, text)[:2])
+    turning = FINE[0] * (FINE[1] / FINE[0]) ** (np.arange((len(FINE) - 1) * increments + 1) / increments)
+    text = sweep(spot, SHIFT, angles=np.concatenate([approaching, turning]), **options)
+    return tuple(column[len(approaching) :: increments] for column in columns(run, text)[:2])
 
 
 def unsteadiness(values):
@@ -174,7 +178,11 @@ def measure(workspace):
     overlap, resistance, _ = columns_of("sweep", sweep(SPOTS["metal"]))
     film, with_film, _ = columns_of("sweep_film", sweep(SPOTS["film"], SHIFT))
     fine = {
-        name: from_point_to_line(lambda deck, name=name: workspace.run(f"fine_{name.replace(' ', '_')}", deck), spot)
+        name: from_point_to_line(
+            lambda deck, name=name: workspace.run(f"fine_{name.replace(' ', '_')}", deck),
+            spot,
+            increments=CLOSE if name == "hardness" else 1,
+        )
         for name, spot in SPOTS.items()
     }
     fine["elastic wires"] = from_point_to_line(

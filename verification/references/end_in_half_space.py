@@ -4,13 +4,23 @@ Source: the deflection of a half-space under even pressure on a rectangle, A. E.
 377-420; contact as a linear complementarity problem, solved by projected conjugate gradients as I. A. Polonsky, L. M. Keer,
 Wear 231 (1999) 206-219, do. Lengths along the surface are over sqrt(rho delta), heights over the approach delta, so that a
 sphere of the radius rho has the height (x^2 + y^2)/2 and the force 4/3; E* is 1.
+
+Contacts along wires that are not short beside their radius feel their sections: solid_wire.py.
 """
 
 import numpy as np
 
+from verification.references.solid_wire import less_than_half_space
 
-def deflection_of_cells(shape, size):
-    """Deflection by a pressure of 1 on one cell, as the transform over twice the grid."""
+#: Of the wires whose sections count
+POISSON = 0.34
+
+
+def deflection_of_cells(shape, size, overlap=0.0):
+    """Deflection by a pressure of 1 on one cell, as the transform over twice the grid.
+
+    overlap: over the radius, of two solid wires along x; 0: a half-space.
+    """
     (nx, ny), (dx, dy) = shape, size
     x, y = np.meshgrid(np.arange(-nx, nx) * dx, np.arange(-ny, ny) * dy, indexing="ij")
 
@@ -20,12 +30,15 @@ def deflection_of_cells(shape, size):
 
     a, b = dx / 2, dy / 2
     whole = corner(x + a, y + b) - corner(x - a, y + b) - corner(x + a, y - b) + corner(x - a, y - b)
+    if overlap > 0:
+        unit = np.sqrt(overlap)
+        whole -= dx * dy * unit * less_than_half_space(unit * np.abs(x[:, :1]), POISSON)
     return np.fft.rfft2(np.fft.ifftshift(whole / np.pi))
 
 
-def contact_force(height, size, tolerance=1e-7, most_iterations=2000):
-    """Force of a rigid body of these heights [delta] on cells of this size, approached by 1."""
-    kernel = deflection_of_cells(height.shape, size)
+def contact_force(height, size, tolerance=1e-7, most_iterations=2000, overlap=0.0):
+    """Force of a rigid body of these heights [delta] on cells of this size, approached by 1; overlap: of solid wires."""
+    kernel = deflection_of_cells(height.shape, size, overlap)
     nx, ny = height.shape
 
     def deflection(pressure):
@@ -69,23 +82,30 @@ def force_of_end(slope, bend, cells=70):
     return contact_force(along[:, None] + y[None, :] ** 2 / 2, size) / (4 / 3)
 
 
-def force_of_tip(slope, cells=120):
+def force_of_tip(slope, cells=120, overlap=0.0):
     """Force over E* r^(1/2) delta^(3/2) of the end of a wire that leans on an equal one, in the plane of both.
 
-    slope: v = t sqrt(r/delta) at which it rises from its end on, positive.
+    slope: v = t sqrt(r/delta) at which it rises from its end on, positive; overlap: delta/r of solid wires, 0: a half-space.
     """
-    return force_of_wires(lambda x: slope * x + sphere(-x), (-1.5 - slope, 0.4 + 1 / slope), cells)
+    return force_of_wires(lambda x: slope * x + sphere(-x), (-1.5 - slope, 0.4 + 1 / slope), cells, overlap=overlap)
 
 
-def force_of_lap(length, bend=0.0, cells=120):
+def force_of_lap(length, bend=0.0, cells=120, overlap=0.0):
     """The same of two equal wires side by side whose ends are a length apart, over sqrt(r delta).
 
     bend: k r of the curvature with which they part between the ends, so that these touch first.
     """
     half = length / 2
     return force_of_wires(
-        lambda x: bend / 2 * (half**2 - x**2) + sphere(x - half) + sphere(-x - half), (-half - 1.5, half + 1.5), cells
-    )
+        lambda x: bend / 2 * (half**2 - x**2) + sphere(x - half) + sphere(-x - half), (-half - 1.5, half + 1.5), cells,
+        overlap=overlap,
+    )  # fmt: skip
+
+
+def force_of_lens(half_length, overlap=0.0, cells=80):
+    """The same of two wires that cross at a small angle, in a lens of this half length over sqrt(r delta)."""
+    return force_of_wires(lambda x: (x / half_length) ** 2, (-1.02 * half_length, 1.02 * half_length), cells,
+        overlap=overlap)  # fmt: skip
 
 
 def force_of_crossing(before, cells=120):
@@ -117,7 +137,7 @@ def sphere(beyond):
     return np.maximum(beyond, 0) ** 2 / 2
 
 
-def force_of_wires(height, ends, cells, across=2.0):
+def force_of_wires(height, ends, cells, across=2.0, overlap=0.0):
     """Force of heights [delta] along a wire between two places [sqrt(r delta)], and the curvature across it."""
     n, m = round(cells * max(1.0, (ends[1] - ends[0]) / 8)), cells // 2
     size = ((ends[1] - ends[0]) / n, 3.2 / m)
@@ -125,15 +145,19 @@ def force_of_wires(height, ends, cells, across=2.0):
     y = -1.6 + (np.arange(m) + 0.5) * size[1]
     # heights are over the lowest one
     finest = height(np.linspace(*ends, 100 * n)).min()
-    return contact_force((along - finest)[:, None] + across * y[None, :] ** 2 / 2, size, 1e-6)
+    heights = (along - finest)[:, None] + across * y[None, :] ** 2 / 2
+    return contact_force(heights, size, 1e-6, overlap=overlap)
 
 
 if __name__ == "__main__":
     for slope, bend in ((1.2, 0.0), (0.5, 0.0), (0.3, 0.0), (0.2, 0.0), (0.3, 0.1), (0.2, 0.3)):
         print(slope, bend, *(force_of_end(slope, bend, cells) for cells in (50, 70, 100)))
     print(*(round(force_of_tip(v), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1)))
-    print(*(round(force_of_lap(length), 3) for length in (2.5, 5.0, 10.0, 20.0)))
-    print(*(round(force_of_lap(20.0, bend), 3) for bend in (0.01, 0.02, 0.03)))
+    print(*(round(force_of_tip(v, overlap=0.01), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.025)))
+    print(*(round(force_of_lap(length, overlap=0.01), 3) for length in (2.5, 5.0, 10.0, 20.0)))
+    print(*(round(force_of_lap(20.0, bend, overlap=0.01), 3) for bend in (0.01, 0.02, 0.03)))
+    for overlap in (0.001, 0.01):
+        print(*(round(force_of_lens(a / overlap**0.5, overlap), 3) for a in (0.3, 0.5, 0.7, 1, 1.5, 2, 3)))
     print(*(round(force_of_crossing(before), 3) for before in (0.0, 0.3, 0.6, 1.0)))
     print(*(round(force_of_oblique(degrees, 0.6), 3) for degrees in (60, 45, 30, 22)))
     print(*(round(force_of_oblique(degrees, 0.6, 0.6), 3) for degrees in (60, 45, 30, 22)))

@@ -96,15 +96,28 @@ def wire_pairs(places: ContactPlaces, units: dict[str, str]) -> Table:
 
 
 def per_length(places: ContactPlaces) -> dict[str, np.ndarray]:
-    """Force, current and heat per length at each row, by name (k); 0 where wires cross.
+    """Force, current and heat per length at each row, without those of round ends, by name (k); 0 where wires cross.
 
     Where both wires have places each stands for half of the contact, with half of the length.
     """
-    values, length = _signed(places), places.length
+    values, of_ends, length = _signed(places), _of_round_ends(places.ledger), places.length
     return {
-        name: np.divide(values[total], length, out=np.zeros(len(length)), where=length > 0)
+        name: np.divide((1 - of_ends[total]) * values[total], length, out=np.zeros(len(length)), where=length > 0)
         for name, total in zip(_PER_LENGTH, _SUMS, strict=True)
     }
+
+
+def _of_round_ends(ledger: Table) -> dict[str, np.ndarray]:
+    """Which part of force, current and heat of each row is that of a round end, (k)."""
+    if "end_force" not in ledger:
+        return dict.fromkeys(_SUMS, np.zeros(ledger.n_rows))
+    force, current = (_part(ledger[f"end_{name}"], ledger[name]) for name in ("force", "current"))
+    # strip and round end have the same voltage
+    return {"force": force, "current": current, "joule_heat": current}
+
+
+def _part(part: np.ndarray, whole: np.ndarray) -> np.ndarray:
+    return np.divide(part, whole, out=np.zeros(len(whole)), where=whole != 0)
 
 
 def _signed(places: ContactPlaces) -> dict[str, np.ndarray]:
