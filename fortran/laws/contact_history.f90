@@ -9,7 +9,8 @@ module litz_contact_history
    use litz_law_input, only: earlier_dent_t
    implicit none
    private
-   public :: contact_history_t, spot_shape_t, dent_memory_t, left_dents_t, advanced_history, spot_of_history, force_of_spot
+   public :: contact_history_t, spot_shape_t, dent_memory_t, left_dents_t, advanced_history, spot_of_history
+   public :: force_of_spot
 
    !> The dent of wires that yield, which a contact that opens keeps.
    type :: dent_memory_t
