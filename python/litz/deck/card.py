@@ -42,6 +42,8 @@ class Card:
         Number of the keyword line in its file; 0: the card was made by hand.
     is_generated : bool
         Whether its data lines are others than those of the file.
+    is_included : bool
+        Whether it is of another file, and its line that of the `*INCLUDE`.
 
     Examples
     --------
@@ -58,6 +60,7 @@ class Card:
     body: list[str] = field(default_factory=list)
     line: int = 0
     is_generated: bool = False
+    is_included: bool = False
 
     @classmethod
     def make(cls, name: str, parameters: dict[str, Any] | None = None, rows: Iterable[Sequence[Value]] = ()) -> "Card":
@@ -204,23 +207,28 @@ class Card:
         self.body[places[row]] = ",".join(fields) + end
 
 
-def parse_cards(text: str) -> tuple[list[Card], list[str]]:
-    """Parse a text: its cards, and the comment and blank lines after the last card."""
+def parse_cards(text: str, *, goes_on: bool = False) -> tuple[list[Card], list[str]]:
+    """Parse a text: its cards, and the comment and blank lines after the last card.
+
+    `goes_on`: it may begin with data lines of a card before it, which are a first card without a keyword line.
+    """
     cards: list[Card] = []
     waiting: list[str] = []
-    goes_on = False
+    head_goes_on = False
     for number, line in enumerate(re.findall(r"[^\n]*\n|[^\n]+", text), 1):
         if is_comment(line):
             waiting.append(line)
         elif is_keyword(line):
             cards.append(Card(comments=waiting, head=[line], line=number))
             waiting = []
-            goes_on = line.rstrip().endswith(",")
-        elif goes_on:
+            head_goes_on = line.rstrip().endswith(",")
+        elif head_goes_on:
             cards[-1].head += [*waiting, line]
             waiting = []
-            goes_on = line.rstrip().endswith(",")
-        elif cards:
+            head_goes_on = line.rstrip().endswith(",")
+        elif cards or goes_on:
+            if not cards:
+                cards.append(Card(line=number))
             cards[-1].body += [*waiting, line]
             waiting = []
         else:

@@ -48,16 +48,8 @@ class Deck:
     @classmethod
     def read(cls, path: str | os.PathLike) -> "Deck":
         """The deck of a file."""
-        path = Path(path)
-        if path.exists() and not path.is_file():
-            raise FileError(f"cannot read the deck {path}: it is not a regular file")
-        try:
-            # bytes that are not UTF-8 are preserved on writing
-            text = path.read_bytes().decode("utf-8", errors="surrogateescape")
-        except OSError as error:
-            raise FileError(f"cannot read the deck {path}: {error.strerror}") from None
-        deck = cls.parse(text)
-        deck.path = path
+        deck = cls.parse(_text_of(Path(path)))
+        deck.path = Path(path)
         return deck
 
     @classmethod
@@ -140,10 +132,14 @@ class Deck:
         raise ValueError(f"{card!r} is not in this deck")
 
     def included(self, card: Card) -> "Deck":
-        """The deck that an `*INCLUDE` card of this one names."""
+        """The deck that an `*INCLUDE` card of this one names.
+
+        Data lines that it begins with go on with the card before the `*INCLUDE`; they are a card without a keyword line.
+        """
         if not card.is_a("INCLUDE"):
             raise ValueError(f"{card!r} is not an *INCLUDE card")
-        return Deck.read((self.path.parent if self.path else Path()) / str(card["INPUT"]))
+        path = (self.path.parent if self.path else Path()) / str(card["INPUT"])
+        return Deck(*parse_cards(_text_of(path), goes_on=True), path)
 
     def write(self, path: str | os.PathLike) -> Path:
         """Write the deck; paths of included files are adapted to the new directory."""
@@ -165,6 +161,16 @@ class Deck:
         moved = Card(card.comments, list(card.head), card.body, card.line)
         moved["INPUT"] = Path(os.path.relpath(home / str(card["INPUT"]), directory.resolve())).as_posix()
         return moved.text
+
+
+def _text_of(path: Path) -> str:
+    if path.exists() and not path.is_file():
+        raise FileError(f"cannot read the deck {path}: it is not a regular file")
+    try:
+        # bytes that are not UTF-8 are preserved on writing
+        return path.read_bytes().decode("utf-8", errors="surrogateescape")
+    except OSError as error:
+        raise FileError(f"cannot read the deck {path}: {error.strerror}") from None
 
 
 def _fits(card: Card, parameters: dict[str, Any]) -> bool:

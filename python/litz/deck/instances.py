@@ -16,6 +16,7 @@ from ..errors import InputError
 from .card import Card
 from .deck import Deck
 from .generated import rewrite, written_out
+from .included import with_included
 from .lines import Value
 from .placement import placed, rotated
 
@@ -30,18 +31,7 @@ _MOST_RANGES = 8
 
 def deck_cards(deck: Deck) -> Iterator[Card]:
     """The cards of a deck and of those that it includes, nodes and elements that are generated written out."""
-    return written_out(_with_included(deck), deck.path)
-
-
-def _with_included(deck: Deck) -> Iterator[Card]:
-    """The cards of a deck and of those that it includes, which have the line of the card that includes them."""
-    for card in deck:
-        if card.is_a("INCLUDE"):
-            for included in _with_included(deck.included(card)):
-                included.line = card.line
-                yield included
-        else:
-            yield card
+    return written_out(with_included(deck), deck.path)
 
 
 def flat_cards(path: Path) -> list[Card]:
@@ -89,9 +79,10 @@ def flat_text(path: Path) -> str:
     for card in flat_cards(path):
         lines += [*_stripped(card.comments), f"**litz line {card.line}", *_stripped(card.head)]
         # sets, and what is generated, are written anew
-        is_new = card.is_generated or card.is_a("NSET") or card.is_a("ELSET")
+        is_new = card.is_generated or card.is_included or card.is_a("NSET") or card.is_a("ELSET")
+        data_line = card.line + (0 if card.is_included else len(card.head))
         for line in _stripped(card.body):
-            lines += [f"**litz line {card.line + len(card.head)}"] * is_new + [line]
+            lines += [f"**litz line {data_line}"] * is_new + [line]
     return "\n".join([*lines, ""])
 
 
@@ -169,7 +160,7 @@ class _Instances:
     def _placed(self, card: Card, instance: Card) -> Card:
         """A card of a part, or of an instance with a mesh of its own, at the place of the instance."""
         name = str(instance["NAME"])
-        copy = Card(list(card.comments), list(card.head), list(card.body), card.line, card.is_generated)
+        copy = Card(list(card.comments), list(card.head), list(card.body), card.line, card.is_generated, card.is_included)
         if copy.is_a("NODE"):
             rows = copy.data
             places = np.array([[float(value or 0) for value in [*row[1:4], 0, 0, 0][:3]] for row in rows])
