@@ -93,6 +93,27 @@ def test_a_changed_model_is_run_again(tmp_path):
     assert json.loads(outcome.read_text())["identity"] != before
 
 
+def test_a_deck_is_run_again_if_a_file_that_it_reads_has_changed(template, tmp_path):
+    """Directly, and through another file."""
+    text = template.read_text().replace("{young}", "120e9")
+    (tmp_path / "inc").mkdir()
+    inner, outer = tmp_path / "inc" / "inner.inp", tmp_path / "outer.inp"
+    first = text.index("*ELASTIC")
+    last = text.index("*", first + 1)
+    template.write_text(text[:first] + "*INCLUDE,\n INPUT=outer.inp\n" + text[last:])
+    outer.write_text('*INCLUDE, INPUT="inc/inner.inp"\n')
+    forces = []
+    for young in ("120e9", "120e9", "60e9"):
+        inner.write_text(text[first:last].replace("120e9", young))
+        table = litz.sweep(template, {"push": [-5e-5]}, directory=tmp_path / "sweep", progress=False)
+        forces.append(table["contact force"][0])
+    assert forces[1] == forces[0]
+    assert forces[2] == pytest.approx(forces[0] / 2, rel=1e-3)
+    outer.write_text(inner.read_text().replace("60e9", "120e9"))
+    table = litz.sweep(template, {"push": [-5e-5]}, directory=tmp_path / "sweep", progress=False)
+    assert table["contact force"][0] == pytest.approx(forces[0])
+
+
 def test_failed_runs_are_told_and_kept(tmp_path):
     with pytest.warns(UserWarning, match=r"1 of 2 runs failed; the first, push=5.0: error: .*increments"):
         table = litz.sweep(model, {"push": [1e-6, 5.0]}, directory=tmp_path, progress=False)

@@ -3,7 +3,7 @@
 import pytest
 
 import litz
-from litz.deck.instances import flat_cards, flat_text
+from litz.deck.instances import flat_cards, flat_text, is_rearranged
 from litz.errors import InputError
 from litz.model.foreign_deck import convert_deck
 
@@ -48,13 +48,17 @@ def test_files_that_include_others_go_on_through_all_of_them(deck):
 
 
 def test_comments_stay_with_what_they_stand_before(deck):
-    path = deck("** loads\n*INCLUDE, INPUT=inc/loads.inp\n** more\n3, 3, 3.\n", loads="** of the file\n*CLOAD\n3, 1, 1.\n")
+    path = deck(
+        "** loads\n*INCLUDE, INPUT=inc/loads.inp\n** more\n3, 3, 3.\n", loads="** of the file\n*CLOAD\n3, 1, 1.\n"
+    )
     (card,) = flat_cards(path)
     assert card.text == "** loads\n** of the file\n*CLOAD\n3, 1, 1.\n** more\n3, 3, 3.\n"
 
 
 def test_messages_name_the_include_for_what_is_in_another_file(deck):
-    text = flat_text(deck(GENERATED + "*INCLUDE, INPUT=inc/loads.inp\n3, 3, 3.\n", loads="*CLOAD\n3, 1, 1.\n3, 2, 2.\n"))
+    text = flat_text(
+        deck(GENERATED + "*INCLUDE, INPUT=inc/loads.inp\n3, 3, 3.\n", loads="*CLOAD\n3, 1, 1.\n3, 2, 2.\n")
+    )
     lines = text.splitlines()
     for line in ("*CLOAD", "3, 1, 1.", "3, 2, 2.", "3, 3, 3."):
         assert lines[lines.index(line) - 1] == "**litz line 6"
@@ -66,7 +70,9 @@ def test_a_deck_that_begins_with_data_lines_of_a_file_is_an_error(deck):
 
 
 def test_a_file_that_includes_itself_is_an_error(deck):
-    with pytest.raises(InputError, match=r"inner\.inp includes itself, directly or through others\n --> .*outer\.inp:1"):
+    with pytest.raises(
+        InputError, match=r"inner\.inp includes itself, directly or through others\n --> .*outer\.inp:1"
+    ):
         flat_cards(
             deck(
                 GENERATED + "*INCLUDE, INPUT=inc/inner.inp\n",
@@ -83,6 +89,14 @@ def test_the_same_file_twice_is_none(deck):
 def test_an_include_that_names_no_file_is_an_error(deck):
     with pytest.raises(InputError, match=r"\*INCLUDE needs INPUT=file\n --> .*deck\.inp:2"):
         flat_cards(deck("*HEADING\n*INCLUDE\n"))
+
+
+@pytest.mark.parametrize(
+    "keyword", ["*NODE, SYSTEM=C", "*NODE,\n SYSTEM=C", "*NODE, NSET=A, \n NSET=A,\nSYSTEM=C", "*NGEN"]
+)
+def test_keyword_lines_that_go_on_are_seen(deck, keyword):
+    assert is_rearranged(deck("*INCLUDE,\n INPUT=inc/mesh.inp\n", mesh=f"{keyword}\n1, 1., 90., 0.\n"))
+    assert not is_rearranged(deck("*INCLUDE,\n INPUT=inc/mesh.inp\n", mesh="*NODE, NSET=A\n1, 1., 90., 0.\n"))
 
 
 @pytest.mark.parametrize("nodes", [NODES + "2, 1., 0., 0.\n", GENERATED], ids=["given", "generated"])

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..base.names import unknown_name
-from ..base.rearranged import INCLUDED, REARRANGED
+from ..base.rearranged import REARRANGED, included_files
 from ..errors import InputError
 from .card import Card
 from .deck import Deck
@@ -47,18 +47,7 @@ def flat_cards(path: Path) -> list[Card]:
 
 def is_rearranged(path: Path) -> bool:
     """Whether a deck, or what it includes, has parts or generates nodes; long ones are not taken to pieces for that."""
-    waiting, seen = [path], set()
-    while waiting:
-        path = waiting.pop()
-        if path in seen or not path.is_file():
-            continue
-        seen.add(path)
-        text = path.read_bytes()
-        if REARRANGED.search(text):
-            return True
-        names = (name.decode("utf-8", errors="surrogateescape").strip().strip('"') for name in INCLUDED.findall(text))
-        waiting += [path.parent / name for name in names]
-    return False
+    return any(REARRANGED.search(one.read_bytes()) for one in included_files(path))
 
 
 @contextmanager
@@ -160,7 +149,9 @@ class _Instances:
     def _placed(self, card: Card, instance: Card) -> Card:
         """A card of a part, or of an instance with a mesh of its own, at the place of the instance."""
         name = str(instance["NAME"])
-        copy = Card(list(card.comments), list(card.head), list(card.body), card.line, card.is_generated, card.is_included)
+        copy = Card(
+            list(card.comments), list(card.head), list(card.body), card.line, card.is_generated, card.is_included
+        )
         if copy.is_a("NODE"):
             rows = copy.data
             places = np.array([[float(value or 0) for value in [*row[1:4], 0, 0, 0][:3]] for row in rows])

@@ -50,7 +50,7 @@ def bisect(
     """Find the value of a parameter at which the outcome of a run changes, as the minimum quench energy of a strand.
 
     Runs are made one after the other, each in the middle of what is left, in logarithms as long as that spans more than a factor
-    of two. Runs in the directory are not repeated if their decks are unchanged.
+    of two. Runs in the directory are not repeated if their decks are unchanged, and the files that these read.
 
     Parameters
     ----------

@@ -26,6 +26,7 @@ import numpy as np
 from ..base import notebook
 from ..base.names import nearest_name, unknown_name
 from ..base.quantities import unit_of_conductance
+from ..base.rearranged import files_beside
 from ..deck import Deck
 from ..deck.lines import to_text
 from ..errors import FileError, LitzError
@@ -61,9 +62,9 @@ def sweep(
 ) -> SweepTable:
     """Run a model for many values of its parameters, several at a time.
 
-    Existing runs in the directory are not repeated if their decks are unchanged. An interrupted sweep (Ctrl-C, SIGTERM) ends the
-    programs that run for it, says how many runs have finished, and continues with the others when it is called again. Failed
-    runs are reported by a warning and remain in the table.
+    Existing runs in the directory are not repeated if their decks are unchanged, and the files that these read. An interrupted
+    sweep (Ctrl-C, SIGTERM) ends the programs that run for it, says how many runs have finished, and continues with the others
+    when it is called again. Failed runs are reported by a warning and remain in the table.
 
     Parameters
     ----------
@@ -336,7 +337,7 @@ class _Run:
             Deck.read(made).write(fresh)
         else:
             raise TypeError(f"the case must return a Model, a Deck, a deck or numbers by name, not {made!r}")
-        identity = hashlib.sha256(fresh.read_bytes() + repr(sorted(self._options.items())).encode()).hexdigest()
+        identity = _identity(fresh, self._options)
         if self._taken_over(self.directory, identity):
             fresh.unlink()
             return
@@ -404,6 +405,14 @@ class _Run:
             MESSAGE: self.message,
         }
         (self.directory / _OUTCOME).write_text(json.dumps(outcome, default=str, indent=1), encoding="utf-8")
+
+
+def _identity(deck: Path, options: Mapping[str, Any]) -> str:
+    """A digest of all that the results depend on: the deck, the files that it reads, and the options."""
+    digest = hashlib.sha256(deck.read_bytes() + repr(sorted(options.items())).encode())
+    for path in files_beside(deck):
+        digest.update(hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()
 
 
 def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
