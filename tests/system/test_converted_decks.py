@@ -201,6 +201,16 @@ def test_parameters_that_say_what_litz_does_anyway_are_taken_away(convert, litz,
     assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
 
 
+def test_the_order_of_sets_counts_in_equations_alone(convert):
+    """Members of two sets belong together in their order in Abaqus, and by their numbers in litz."""
+    sets = "*Nset, nset=A, unsorted\n 2, 1\n*Nset, nset=B\n 1, 2\n"
+    text = CCX.replace("*BOUNDARY", sets + "*BOUNDARY", 1)
+    reason = "UNSORTED of *NSET, NSET=A: *EQUATION takes the members of sets by their numbers"
+    assert reason not in convert(text, "--dialect", "ccx")[0].stderr
+    done, _ = convert(text.replace("*BOUNDARY", "*Equation\n2\nA, 2, 1., B, 2, -1.\n*BOUNDARY", 1), "--dialect", "ccx")
+    assert reason in done.stderr.split("WITHOUT WHICH")[1]
+
+
 def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, litz, tmp_path):
     more = (
         "*Controls, reset\n*Controls, analysis=DISCONTINUOUS\n*Controls, parameters=LINE SEARCH\n4, , , , \n"
@@ -668,6 +678,31 @@ class TestContactOfAbaqus:
         assert results.contacts_at(-1).n_rows == 1
         # turned by 90 degrees: what was zero is zero
         assert results.nodes[3:].tolist() == [[0, -7, 1], [0, 4, 1], [0, 13, 1]]
+
+    def test_a_pressure_over_the_overlap_is_no_penalty_of_forces(self, convert):
+        """In Abaqus and CalculiX LINEAR has a force per area and overlap, here a force per overlap."""
+        linear = "*Surface Behavior, pressure-overclosure=LINEAR\n 1e6,\n"
+        text = CROSSING.replace("{contact}", PAIR).replace("*Surface Behavior, pressure-overclosure=HARD\n", linear)
+        done, new = convert(text, "--dialect", "abaqus")
+        assert done.returncode == 1
+        assert (
+            "LINEAR is a pressure over the overlap there, and a force over it in litz"
+            in (done.stderr.split("WITHOUT WHICH")[1])
+        )
+        assert (
+            "** *Surface Behavior, pressure-overclosure=LINEAR\n** 1e6,\n*Surface Behavior, pressure-overclosure=HERTZ\n"
+            in new
+        )
+
+    @pytest.mark.parametrize("behaviour", [
+        "*Surface Behavior, pressure-overclosure=LINEAR\n , 1e9\n",
+        "*Surface Behavior, pressure-overclosure=LINEAR, penetration=UNLIMITED\n 1e6\n",
+    ])  # fmt: skip
+    def test_a_penalty_that_only_litz_has_is_kept(self, convert, behaviour):
+        text = CROSSING.replace("{contact}", PAIR).replace("*Surface Behavior, pressure-overclosure=HARD\n", behaviour)
+        done, new = convert(text, "--dialect", "abaqus")
+        assert behaviour in new
+        assert "PRESSURE-OVERCLOSURE" not in done.stderr
 
     @pytest.mark.parametrize("change", [
         ("*Contact Property", "*Contact Exclusions\nA, B\n*Contact Property"), (", , IntProp-1", "A, B, IntProp-1"),

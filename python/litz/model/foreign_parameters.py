@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ..deck import Card
+from ..deck.keyword_table import squeezed
 
 
 class _Foreign(NamedTuple):
@@ -52,8 +53,13 @@ _AS_IN_LITZ = (
 def remove_foreign_parameters(cards: list[Card]) -> Iterator[tuple[str, bool]]:
     """Take away what other programs alone have, for each kind once: what is to be said, and whether results change.
 
-    Contact that is hard is contact by Hertz's law from there on.
+    Contact that is hard, or a pressure over the overlap, is contact by Hertz's law from there on.
     """
+    unsorted = [card for card in cards if card.is_a("NSET") and "UNSORTED" in card]
+    for card in unsorted:
+        if _is_in_equation(str(card["NSET"]), cards):
+            reason = "*EQUATION takes the members of sets by their numbers; write an equation for each of its nodes"
+            yield f"UNSORTED of *NSET, NSET={card['NSET']}: {reason}", True
     for card in cards:
         for keyword, name, value in _AS_IN_LITZ:
             if card.is_a(keyword) and str(card.get(name, "")).upper() == value:
@@ -63,6 +69,34 @@ def remove_foreign_parameters(cards: list[Card]) -> Iterator[tuple[str, bool]]:
                 for name in [name for name in parameters if name in card]:
                     del card[name]
                     yield f"{name} of *{card.name}: {reason}", matters
-        if card.is_a("SURFACE BEHAVIOR") and str(card.get("PRESSURE-OVERCLOSURE", "")).upper() == "HARD":
-            card["PRESSURE-OVERCLOSURE"] = "HERTZ"
-            yield "PRESSURE-OVERCLOSURE=HARD of *SURFACE BEHAVIOR is HERTZ: wires flatten where they touch", True
+        if card.is_a("SURFACE BEHAVIOR"):
+            yield from _as_hertz(card)
+
+
+def _as_hertz(card: Card) -> Iterator[tuple[str, bool]]:
+    """Wires flatten where they touch, whatever surfaces of solids are told to do."""
+    law = str(card.get("PRESSURE-OVERCLOSURE", "")).upper()
+    told = f"PRESSURE-OVERCLOSURE={law} of *SURFACE BEHAVIOR is HERTZ: wires flatten where they touch"
+    if law == "HARD":
+        card["PRESSURE-OVERCLOSURE"] = "HERTZ"
+        yield told, True
+    elif law == "LINEAR" and not _is_penalty_of_litz(card):
+        card.comments += [f"** {line.strip()}\n" for line in (*card.head, *card.body) if line.strip()]
+        card["PRESSURE-OVERCLOSURE"] = "HERTZ"
+        card.data = []
+        yield f"{told}; LINEAR is a pressure over the overlap there, and a force over it in litz", True
+
+
+def _is_penalty_of_litz(card: Card) -> bool:
+    """Whether the card can only be litz's: a force, or a force per length, over the overlap."""
+    return "PENETRATION" in card or any(row and row[0] is None for row in card.data)
+
+
+def _is_in_equation(name: str, cards: list[Card]) -> bool:
+    return any(
+        isinstance(value, str) and squeezed(value) == squeezed(name)
+        for card in cards
+        if card.is_a("EQUATION")
+        for row in card.data
+        for value in row
+    )
