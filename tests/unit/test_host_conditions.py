@@ -104,6 +104,23 @@ def test_loads_of_one_place_add_up_and_currents_are_among_them(model):
     assert re.search(r"\nFORCe\n.*\n  8, 0, 0, 0, -5\.0+e-01, 0, 0, 0, 3\.0+e\+00\n", feap_input(given), re.DOTALL)
 
 
+@pytest.mark.parametrize(("time", "factor"), [("0.1, 1.", 3.0), ("0.1", 3.0), ("0.1, 0.5", 1.5), ("0.1, 9.", 3.0)])
+def test_loads_are_those_at_the_end_of_the_step(model, time, factor):
+    """An amplitude is linear between its points, constant beyond them, and holds for what is prescribed, too."""
+    amplitude = "*AMPLITUDE, NAME=Up\n 0., 0., 1., 3.\n*STEP"
+    new = "*BOUNDARY, AMPLITUDE=UP\n ENDS, 3, 3, -0.01\n*CLOAD, AMPLITUDE=Up\n 2, 2, 4.\n*CLOAD\n 2, 3, 1.\n*END STEP"
+    found = model(("*STEP", amplitude), (" 0.1, 1.", f" {time}"), ("*BOUNDARY\n ENDS, 3, 3, -0.01\n*END STEP", new))
+    assert found.loads == {(1, 2): pytest.approx(4 * factor), (1, 3): 1.0}
+    assert found.prescribed[4, 3] == pytest.approx(-0.01 * factor)
+
+
+def test_what_an_amplitude_takes_back_is_a_support(model):
+    amplitude = "*AMPLITUDE, NAME=BACK\n 0., 0., 0.5, 1., 1., 0.\n*STEP"
+    found = model(("*STEP", amplitude), ("*BOUNDARY\n ENDS, 3", "*BOUNDARY, AMPLITUDE=BACK\n ENDS, 3"))
+    assert {(4, 3), (7, 3)} <= found.supports
+    assert not found.prescribed
+
+
 def test_a_step_that_begins_anew_has_its_own_supports_alone(model):
     anew = "*BOUNDARY, OP=NEW\n 1, ENCASTRE\n 2, PINNED\n 1, 9\n ENDS, 1, 2\n ENDS, 4, 6\n ENDS, 3"
     given = model(("*BOUNDARY\n ENDS, 3", anew))

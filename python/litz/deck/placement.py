@@ -11,12 +11,15 @@ from .card import Card
 
 def placed(places: NDArray, card: Card, path: Path) -> NDArray:
     """Positions (n, 3) moved by the data lines of an `*INSTANCE` or `*NCOPY`: a shift, then a rotation about an axis."""
-    lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in card.data]
+    rows = card.data
+    lines = [[float(value or 0) for value in row if not isinstance(value, str)] for row in rows]
     places = places.reshape(-1, 3) + (np.array([*lines[0], 0, 0, 0][:3]) if lines else np.zeros(3))
+    name = f"*{card.name} {card.get('NAME', '')}".strip()
+    if len(lines) > 2:
+        raise FileError(f"{path}: {name} has two data lines, of a shift and of a rotation, not {len(lines)}")
     if len(lines) > 1:
-        if len(lines[1]) != 7:
-            name = card.get("NAME")
-            raise FileError(f"{path}: the second line of *{card.name}{f' {name}' if name else ''} needs seven numbers")
+        if len(lines[1]) != 7 or rows[1][6] is None:
+            raise FileError(f"{path}: the second line of {name} needs seven numbers")
         places = rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
     return places
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..deck import Card
+from ..deck.keyword_table import squeezed
 
 #: Degree of freedom of the potential in decks
 POTENTIAL = 9
@@ -16,12 +17,14 @@ _SUPPORTS = {
     "XSYMM": (1, 5, 6), "YSYMM": (2, 4, 6), "ZSYMM": (3, 4, 5),
     "XASYMM": (2, 3, 4), "YASYMM": (1, 3, 5), "ZASYMM": (1, 2, 6),
 }  # fmt: skip
+#: Cards that have the time of their step
+_PROCEDURES = ("STATIC", "COUPLED THERMAL-ELECTRICAL", "COUPLED TEMPERATURE-DISPLACEMENT")
 #: What other programs are given: not temperatures, in whose place the potential stands there
 _DOFS = (1, 2, 3, 4, 5, 6, POTENTIAL)
 
 
 class HostConditions:
-    """What holds at the end of the first step of a deck; an amplitude is taken as 1.
+    """What holds at the end of the first step of a deck, amplitudes included.
 
     Attributes
     ----------
@@ -42,6 +45,7 @@ class HostConditions:
         self.local_axes: list[tuple[NDArray[np.int64], str, list[float]]] = []
         self._row_of = {int(number): row for row, number in enumerate(node_numbers)}
         self._sets = {name.upper(): members for name, members in node_sets.items()}
+        self._factors = _factors(cards)
         n_steps = 0
         for card in cards:
             n_steps += card.is_a("STEP")
@@ -64,16 +68,17 @@ class HostConditions:
             for where, dof, load, *_ in rows:
                 for row in self._rows(where):
                     key = (int(row), int(dof) if card.is_a("CLOAD") else POTENTIAL)
-                    self.loads[key] = self.loads.get(key, 0.0) + float(load)
+                    self.loads[key] = self.loads.get(key, 0.0) + float(load) * self._factor(card)
 
     def _boundary(self, card: Card) -> Iterator[tuple[tuple[int, int], float]]:
         """Rows of nodes with degrees of freedom, and what they are to be."""
         for where, first, *rest in card.data:
             last, value = [*rest, None, None][:2]
             dofs = _SUPPORTS[first.upper()] if isinstance(first, str) else _between(first, last)
+            number = 0.0 if isinstance(first, str) else float(value or 0) * self._factor(card)
             for row in self._rows(where):
                 for dof in dofs:
-                    yield (int(row), dof), 0.0 if isinstance(first, str) else float(value or 0)
+                    yield (int(row), dof), number
 
     def _prescribe(self, key: tuple[int, int], value: float) -> None:
         if value == 0:
@@ -83,9 +88,26 @@ class HostConditions:
             self.prescribed[key] = value
             self.supports.discard(key)
 
+    def _factor(self, card: Card) -> float:
+        """What the amplitude of a card makes of its values."""
+        return self._factors[squeezed(str(card["AMPLITUDE"]))] if "AMPLITUDE" in card else 1.0
+
     def _rows(self, where: Any) -> NDArray[np.int64]:
         """Rows of a node or of a node set."""
         return np.array([self._row_of[where]]) if isinstance(where, int) else self._sets[str(where).upper()]
+
+
+def _factors(cards: list[Card]) -> dict[str, float]:
+    """Factors of the amplitudes at the end of the first step, by their names; there both times are the same."""
+    data: list[list[Any]] = next((card.data for card in cards if any(map(card.is_a, _PROCEDURES))), [])
+    total = (*data[0], None, None)[1] if data else None
+    end = 1.0 if total is None else float(total)
+    factors = {}
+    for card in cards:
+        if card.is_a("AMPLITUDE"):
+            values = [float(value or 0) for row in card.data for value in row]
+            factors[squeezed(str(card["NAME"]))] = float(np.interp(end, values[::2], values[1::2]))
+    return factors
 
 
 def _between(first: Any, last: Any) -> tuple[int, ...]:
