@@ -256,6 +256,13 @@ class TestPressuresOnFaces:
         # ten bricks of CalculiX, which are 2 % stiffer than that
         assert found == pytest.approx(displacements_of_calculix(path)[21], rel=0.025, abs=1e-8)
 
+    @pytest.mark.parametrize("label", ["P1", "P2"])
+    def test_a_side_that_is_left_out_is_like_the_first(self, tmp_path, label):
+        path = tmp_path / "pressed.inp"
+        path.write_text(self.deck(label, sizes="0.05"))
+        loads = litz.Deck.parse(convert_deck(path, "ccx").text).card("DLOAD").data
+        assert loads == [["BEAM", label, pytest.approx(0.05e-5)]]
+
     @pytest.mark.parametrize(("section", "sizes", "reason"), [
         ("SECTION=CIRC", "0.05", "SECTION=RECT only"),
         ("SECTION=RECT, OFFSET1=0.5", "0.05, 0.08", "beside the nodes"),

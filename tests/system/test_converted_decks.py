@@ -456,6 +456,35 @@ def test_instances_that_cannot_be_placed(convert, old, new, message):
     assert message in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "message", "line"),
+    [
+        ("3, 3, 100.", "3 3 100.", "values are separated by commas", "3 3 100."),
+        ("7E4, .3", "7E4, foo", 'must be a number; found "foo"', "7E4, foo"),
+        ("*MATERIAL, NAME=ALUM", "*MATERIAL", "*MATERIAL needs the parameter NAME=", "*MATERIAL"),
+    ],
+)
+def test_what_cannot_be_read_is_told_with_its_line_as_by_the_program(convert, old, new, message, line):
+    """But not what litz lacks, which conversion is there for."""
+    text = CCX.replace(old, new).replace("*STEP", "*MPC\nBEAM, 1, 2\n*STEP")
+    done, written = convert(text, "--dialect", "ccx")
+    assert done.returncode == 1
+    assert not written
+    assert "foreign.inp cannot be converted before it is mended; `litz check` says:" in done.stderr
+    assert message in done.stderr
+    assert f"foreign.inp:{text.splitlines().index(line) + 1}:" in done.stderr
+    assert "*MPC" not in done.stderr
+
+
+@pytest.mark.parametrize("keyword", ["Part", "Instance"])
+def test_parts_and_instances_have_names(convert, keyword):
+    line = next(one for one in CAE.splitlines() if one.startswith(f"*{keyword}, name="))
+    text = CAE.replace(line, re.sub(r", name=[\w-]+", "", line), 1)
+    done, _ = convert(text)
+    assert done.returncode == 1
+    assert f"*{keyword.upper()} needs NAME=name\n --> foreign.inp:{CAE.splitlines().index(line) + 1}" in done.stderr
+
+
 #: Section card and first data line of CalculiX, and the tip displacements of CalculiX 2.20 along y and along z: cantilevers
 #: of length 100 under 0.01 N, 40 elements B32R, E = 210000, nu = 0.3
 CALCULIX = {

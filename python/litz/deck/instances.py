@@ -105,6 +105,8 @@ class _Instances:
         instance: Card | None = None
         placed: dict[str, str] = {}
         for card in self.cards:
+            if (card.is_a("PART") or card.is_a("INSTANCE")) and "NAME" not in card:
+                raise self._error(card, f"*{card.name} needs NAME=name")
             if card.is_a("PART"):
                 part = self.parts.setdefault(str(card["NAME"]).upper(), [])
             elif card.is_a("END PART"):
@@ -130,6 +132,8 @@ class _Instances:
         """The changed card; values that are none are errors with the place of the card."""
         try:
             return change(card, *arguments)
+        except KeyError as error:
+            raise self._error(card, error.args[0]) from None
         except (ValueError, TypeError, IndexError) as error:
             raise self._error(card, f"the data of *{card.name} cannot be read: {error}") from None
 

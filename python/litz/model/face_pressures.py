@@ -64,8 +64,9 @@ def _is_section(card: Card) -> bool:
 
 
 def _width(section: Card, label: str) -> float:
-    """Of the face on which the pressure acts."""
-    return float(section.data[0][_ACROSS[label]] or 0)
+    """Of the face on which the pressure acts; a second side that is left out is like the first."""
+    sides = [value for value in section.data[0][:2] if value is not None]
+    return float(sides[min(_ACROSS[label], len(sides) - 1)])
 
 
 def _reason(sections: list[Card], label: str) -> str:

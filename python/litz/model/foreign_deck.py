@@ -1,5 +1,6 @@
 """Decks of Abaqus and CalculiX with steps as decks of litz: what litz has stays, the rest becomes comments with reasons."""
 
+import re
 import subprocess
 import warnings
 from collections.abc import Iterable, Iterator
@@ -10,7 +11,7 @@ from ..base.program import program_path
 from ..deck import Card, Deck
 from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import check_card, keywords, squeezed
-from ..errors import LitzError
+from ..errors import InputError, LitzError
 from ..runs import check
 from .abaqus_mesh import round_section
 from .beam_surfaces import surfaces_as_sets
@@ -29,6 +30,8 @@ from .unused_definitions import unused_definitions
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
 
+#: How the program begins to tell of a keyword that it lacks
+_LACKS = ("error: litz has no *", "error: unknown keyword")
 #: Elements without stiffness, and the cards that give their masses
 _MASSES = ("MASS", "ROTARYI", "ROTARY INERTIA")
 
@@ -82,7 +85,27 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     -------
     ConvertedDeck
         Numbers of nodes and elements are those of the deck, unless several instances have the same.
+
+    Raises
+    ------
+    InputError
+        If a card lacks what the program needs of it, too, with what the program says.
     """
+    try:
+        return _converted_deck(path, dialect, units)
+    except (ValueError, TypeError, LookupError) as error:
+        # what names the deck is told already
+        said = "" if str(path) in str(error) else refusal(path)
+        if not said:
+            raise
+        # conversion is there for what litz lacks
+        wrong = [one for one in re.split(r"^(?=error: )", said, flags=re.MULTILINE) if not one.startswith(_LACKS)]
+        raise InputError(
+            f"{path} cannot be converted before it is mended; `litz check` says:\n{''.join(wrong) or said}".rstrip()
+        ) from error
+
+
+def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | None) -> ConvertedDeck:
     cards = flat_cards(path)
     converted = ConvertedDeck("")
     materials = _materials(cards)
