@@ -216,6 +216,10 @@ contains
          end if
       end associate
       call fail_at(self, token, message)
+      if (role_of(trim(self%table%keywords(self%spec(card))%name), self%deck%text(token)) == role_mesh) then
+         self%broken_nodes = .true.
+         self%broken_elements = .true.
+      end if
       is_sound = .false.
    end subroutine unknown_parameter
 

@@ -22,7 +22,7 @@ module litz_foreign_words
       !> with this value of the parameter
       character(len=200) :: values
       !> What to do in litz, as the end of a sentence
-      character(len=200) :: advice
+      character(len=240) :: advice
       !> One of `role_...`
       integer :: role = role_model
    end type foreign_word_t
@@ -131,11 +131,14 @@ module litz_foreign_words
       foreign_word_t('RIGID BODY', 'ROT NODE', '', 'REF NODE has the rotations, too: degrees of freedom 4-6'), &
       foreign_word_t('RIGID BODY', 'ELSET|ANALYTICAL SURFACE', '', 'give the nodes, by TIE NSET=... or PIN NSET=...'), &
       foreign_word_t('RIGID BODY', 'POSITION|ISOTHERMAL', '', 'leave it out: the reference node stays where it is'), &
+      foreign_word_t('NODE|NSET|ELEMENT|ELSET', 'INPUT', '', 'write *INCLUDE, INPUT=... in place of its data lines', &
+      role_mesh), &
       foreign_word_t('NODE', 'SYSTEM', '', 'write x, y, z: `litz run`, `check` and `convert` of the Python'// &
       ' package take cylindrical ones (C), too'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
       ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
-      foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'leave it out: members of sets are in the order of their numbers'), &
+      foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'members of sets are in the order of their numbers: leave it out'// &
+      ' where no *EQUATION takes them one by one'), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
       'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'POISSON|LUMPED', '', 'leave it out: sections do not'// &
@@ -148,7 +151,9 @@ module litz_foreign_words
       ' element: give its dimensions'), &
       foreign_word_t('ELASTIC|EXPANSION|ELECTRICAL CONDUCTIVITY', 'DEPENDENCIES|MODULI|USER', '', 'leave it out:'// &
       ' material data may depend on temperature alone'), &
-      foreign_word_t('AMPLITUDE', 'DEFINITION|VALUE|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
+      foreign_word_t('AMPLITUDE', 'VALUE', '', 'leave it out where it is RELATIVE; where it is ABSOLUTE, write 1 as'// &
+      ' the value of the loads, too'), &
+      foreign_word_t('AMPLITUDE', 'DEFINITION|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
       ' factors, linear between the points; write other curves point by point'), &
       foreign_word_t('SURFACE BEHAVIOR', 'PENALTY|AUGMENTED LAGRANGE|DIRECT', '', 'leave it out: the law is'// &
       ' satisfied exactly'), &

@@ -148,6 +148,9 @@ contains
          else if (quantity == 'SC' .and. .not. has_superconductors(model)) then
             call fail_at(self, self%values%token(i), trim(quantity)//' cannot be printed: no element is of a'// &
                ' material with *SUPERCONDUCTOR')
+         else if (quantity == 'DLOAD' .and. .not. has_line_loads(self)) then
+            call fail_at(self, self%values%token(i), 'DLOAD cannot be printed: no *DLOAD or *LORENTZ gives a force'// &
+               ' on the length of wires')
          else if (any(request%quantities == quantity)) then
             call fail_at(self, self%values%token(i), 'the quantity '//trim(quantity)//' is requested twice')
          else
@@ -158,6 +161,20 @@ contains
          end if
       end do
    end subroutine add_quantities
+
+   !> Whether any step has loads on the length of wires.
+   pure logical function has_line_loads(self)
+      type(reader_t), intent(in) :: self
+      integer :: card
+
+      has_line_loads = .false.
+      do card = 1, self%deck%n_cards
+         if (all(keyword_of(self, card) /= [character(len=7) :: 'DLOAD', 'LORENTZ'])) cycle
+         associate (this => self%deck%cards(card))
+            has_line_loads = has_line_loads .or. this%last_data >= this%first_data
+         end associate
+      end do
+   end function has_line_loads
 
    !> The quantity is one of a field that the model does not have.
    pure logical function belongs_to_absent_field(model, quantity) result(absent)

@@ -937,6 +937,25 @@ def test_an_include_without_a_file(litz, tmp_path):
     check_one_error(litz, tmp_path, deck, "*INCLUDE needs INPUT=file", line_of("*INCLUDE", deck), "INCLUDE")
 
 
+@pytest.mark.parametrize("keyword", ["*NODE, NSET=ALL", "*ELEMENT, TYPE=B31, ELSET=LOWER"])
+def test_nodes_and_elements_of_another_file_are_not_missing_as_well(litz, tmp_path, keyword):
+    """Data lines of Abaqus in a file of their own: one error tells what to write, and none of all that follows."""
+    first = DECK.index(f"{keyword}\n") + len(keyword)
+    deck = DECK[:first] + ", INPUT=mesh.inp" + DECK[DECK.index("\n*", first) :]
+    line = line_of("INPUT=mesh.inp", deck)
+    check_one_error(litz, tmp_path, deck, "write *INCLUDE, INPUT=... in place of its data lines", line, "INPUT")
+
+
+def test_loads_on_lengths_can_be_printed_where_there_are_any(litz, tmp_path):
+    """An empty card only takes loads away."""
+    request = "*EL PRINT, ELSET=LOWER\nDLOAD\n"
+    deck = DECK.replace("*END STEP", f"*DLOAD, OP=NEW\n{request}*END STEP")
+    message = "DLOAD cannot be printed: no *DLOAD or *LORENTZ gives a force on the length of wires"
+    check_one_error(litz, tmp_path, deck, message, line_of("*EL PRINT", deck) + 1, "DLOAD")
+    (tmp_path / "good.inp").write_text(DECK.replace("*END STEP", f"{request}*DLOAD\nLOWER, PZ, 1e-3\n*END STEP"))
+    assert litz("check", "good.inp", cwd=tmp_path).returncode == 0
+
+
 def test_an_error_in_an_included_file_shows_the_chain(litz, tmp_path):
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "outer.inp").write_text("** a comment\n*INCLUDE, INPUT=inner.inp\n")
