@@ -157,6 +157,43 @@ def test_axis_and_length_of_conduction_are_passed_on(model):
     assert re.findall(r"USER, 2\n  \S+ \S+ (\d)\n", text) == ["0", "1"]
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "young", "conductivity"),
+    [
+        # at a temperature, in either order
+        ("0.34\n", "0.34, 20.\n", 120e3, 5.88e4),
+        ("5.88e4\n", "5.88e4, 20.\n", 120e3, 5.88e4),
+        ("*ELASTIC\n 120000, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5.88e4\n",
+         "*ELECTRICAL CONDUCTIVITY\n 5.88e4\n*ELASTIC\n 120000, 0.34\n", 120e3, 5.88e4),
+        # the same at two
+        ("0.34\n", "0.34, 20.\n 120000, 0.34, 500.\n", 120e3, 5.88e4),
+    ],
+)  # fmt: skip
+def test_constants_of_a_material_are_those_of_its_cards(model, old, new, young, conductivity):
+    for _, material in model((old, new)).sections:
+        assert (material.young, material.poisson, material.conductivity) == (young, 0.34, conductivity)
+
+
+def test_a_temperature_is_no_conductivity(model):
+    text = "*ELECTRICAL CONDUCTIVITY\n 5.88e4\n"
+    found = model(
+        (text, ""), ("0.34\n", "0.34, 20.\n"), (" 1, 9\n", ""), ("*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ\n", "")
+    )
+    assert all(material.conductivity is None for _, material in found.sections)
+
+
+@pytest.mark.filterwarnings("ignore:.*the section of")
+@pytest.mark.parametrize(
+    ("old", "new"), [("0.34\n", "0.34, 20.\n 60000, 0.34, 500.\n"), ("5.88e4\n", "5.88e4, 20.\n 2e4, 500.\n")]
+)
+def test_materials_that_depend_on_temperature_are_refused(tmp_path, old, new):
+    (tmp_path / "deck.inp").write_text(
+        DECK.replace(old, new).replace("*BOUNDARY", "*INITIAL CONDITIONS, TYPE=TEMPERATURE\n ALL, 500.\n*BOUNDARY", 1)
+    )
+    with pytest.raises(FileError, match="an elastic material that is constant can be exported"):
+        read_host_model(tmp_path / "deck.inp")
+
+
 def test_a_surface_of_another_radius_is_refused(model):
     """The element has one radius for what touches and what conducts."""
     same = model(("ELSET=UPPER, MATERIAL=COPPER,", "ELSET=UPPER, MATERIAL=COPPER, CONTACT RADIUS=0.5,"))

@@ -267,6 +267,13 @@ def test_instances_of_parts_stand_at_their_places(file):
     assert mesh.node_sets["Wire-2.Set-1"].tolist() == [3, 4, 5]
 
 
+def test_a_conductivity_over_temperature_is_a_table(file):
+    text = CAE.replace("*Elastic\n", "*Electrical Conductivity\n 5e7, 20.\n 2e7, 500.\n*Elastic\n", 1)
+    assert text != CAE
+    materials = [material for _, _, material in litz.read_mesh(file(text, "cae.inp"), dialect="abaqus").sections]
+    assert ((5e7, 20.0), (2e7, 500.0)) in [material.conductivity for material in materials]
+
+
 def test_sections_of_a_part_hold_for_each_of_its_instances(file):
     model = litz.Model("wires of a part")
     pin = CAE.index("*Part, name=Pin"), CAE.index("*Assembly")

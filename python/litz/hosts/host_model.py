@@ -282,7 +282,7 @@ def _sections(mesh: Mesh, path: Path) -> tuple[list[tuple[Circular, Material]], 
     section_of = np.full(len(mesh.connectivity), -1, dtype=np.int64)
     sections: list[tuple[Circular, Material]] = []
     for name, section, material in mesh.sections:
-        if not isinstance(section, Circular):
+        if not isinstance(section, Circular) or not isinstance(material.conductivity, float | None):
             continue
         if (section, material) not in sections:
             sections.append((section, material))

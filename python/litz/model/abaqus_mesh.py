@@ -2,7 +2,7 @@
 
 import itertools
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..deck import Card, Deck
 from ..deck.instances import deck_cards
+from ..deck.lines import Value
 from ..deck.placement import placed
 from ..errors import FileError
 from .materials import Circular, General, Material, Section
@@ -17,6 +18,7 @@ from .mesh import FOREIGN_BEAMS, Mesh, element_types, unique_rows
 
 #: Cards that a mesh does not lack
 _NO_LOSS = ("HEADING", "PREPRINT", "ASSEMBLY", "END ASSEMBLY", "NORMAL", "ORIENTATION")
+_CONDUCTIVITY = "ELECTRICAL CONDUCTIVITY"
 #: Whose decks are read
 DIALECTS = ("abaqus", "ccx")
 #: Trusses, as which gmsh writes its lines: wires in a deck that has no beams
@@ -40,7 +42,8 @@ class _DeckReader:
         self.elements: dict[_Key, list[int]] = {}
         self.node_sets: dict[str, list[_Key]] = {}
         self.element_sets: dict[str, list[_Key]] = {}
-        self.materials: dict[str, list[float]] = {}
+        #: Data of materials by name, and by keyword
+        self.materials: dict[str, dict[str, list[list[Value]]]] = {}
         self.sections: list[tuple[str, Card]] = []
         self.left_out: dict[str, int] = {}
         #: Names of the cards that are no mesh, in their order
@@ -79,10 +82,10 @@ class _DeckReader:
     def _read_property(self, card: Card) -> None:
         """Read a card of a section or a material; others are told of."""
         if card.is_a("MATERIAL"):
-            self._material = str(card["NAME"])
-        elif card.is_a("ELASTIC") or card.is_a("ELECTRICAL CONDUCTIVITY"):
-            values = [float(value) for value in card.data[0] if isinstance(value, int | float)] if card.data else []
-            self.materials.setdefault(self._material, []).extend(values)
+            self._material = str(card.get("NAME", ""))
+        elif card.is_a("ELASTIC") or card.is_a(_CONDUCTIVITY):
+            keyword = "ELASTIC" if card.is_a("ELASTIC") else _CONDUCTIVITY
+            self.materials.setdefault(self._material, {})[keyword] = card.data
         elif card.is_a("BEAM SECTION"):
             self.sections.append((self._prefix, card))
         elif card.name not in _NO_LOSS:
@@ -254,11 +257,11 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
     """Round sections whose material is there."""
     for prefix, card in reader.sections:
         shape, name = str(card.get("SECTION", "")).upper(), str(card.get("MATERIAL", ""))
-        values = reader.materials.get(_spelt(name, reader.materials), [])
-        if shape != "CIRC" or len(values) not in (2, 3):
+        material = _material(name, reader.materials.get(_spelt(name, reader.materials), {}))
+        if shape != "CIRC" or material is None:
             warnings.warn(
                 f"{reader.path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic"
-                " material",
+                " material, whose Young's modulus is the same at all temperatures",
                 stacklevel=6,
             )
             continue
@@ -268,7 +271,6 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
                 f"{reader.path}: *BEAM SECTION, ELSET={card.get('ELSET')} has {' and '.join(offsets)}: the axes of wires of a"
                 " mesh pass through their nodes; litz convert keeps the whole deck"
             )
-        material = _material(name, *values)
         yield f"{prefix}{card['ELSET']}", round_section(reader.path, reader.dialect, card, material), material
 
 
@@ -325,6 +327,16 @@ def _ellipse(
     )
 
 
-def _material(name: str, young: float, poisson: float, conductivity: float | None = None) -> Material:
-    """A material of the numbers that have been read."""
+def _material(name: str, cards: Mapping[str, list[list[Value]]]) -> Material | None:
+    """A material of the data lines that have been read, whose last values are temperatures; None: it is none of litz."""
+    elastic = [row[:2] for row in cards.get("ELASTIC", [])]
+    if not elastic or any(row != elastic[0] for row in elastic) or len(cards["ELASTIC"][0]) > 3:
+        return None
+    if len(elastic[0]) < 2 or not all(isinstance(value, int | float) for value in elastic[0]):
+        return None
+    young, poisson = (float(value) for value in elastic[0] if isinstance(value, int | float))
+    rows = [[float(value) for value in row if isinstance(value, int | float)] for row in cards.get(_CONDUCTIVITY, [])]
+    if not all(len(row) > (len(rows) > 1) for row in rows):
+        return None
+    conductivity = rows[0][0] if len(rows) == 1 else [(row[0], row[-1]) for row in rows] or None
     return Material(name, young, poisson, conductivity)
