@@ -113,6 +113,15 @@ def test_nodes_of_element_sets_of_parts_and_instances(tmp_path):
     np.testing.assert_allclose(mesh.x[mesh.node_sets["Bar-1.Both"], 0], [50, 100])
 
 
+def test_sets_of_an_instance_are_members_of_sets_of_the_assembly(tmp_path):
+    text = DECK.replace("** Section", "*Nset, nset=Last\n 3\n** Section")
+    text = text.replace("*End Assembly", "*Nset, nset=Of, instance=Bar-2\n Last, 2\n*End Assembly")
+    (tmp_path / "frame.inp").write_text(text.replace("*Output", "*Node Print, nset=Of\nU\n*Output"))
+    told = command("check", "frame.inp", cwd=tmp_path)
+    assert told.returncode == 0, told.stderr
+    assert "node set OF: 2 members" in told.stdout
+
+
 def test_parts_may_be_in_included_files(tmp_path):
     first, last = DECK.index("*Part"), DECK.index("*Assembly")
     (tmp_path / "mesh").mkdir()

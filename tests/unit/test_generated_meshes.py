@@ -89,6 +89,14 @@ class TestNodes:
         )
         np.testing.assert_allclose(mesh(text).places[11], [0.5, 1, 0])
 
+    def test_nodes_of_an_element_set_are_a_set_to_copy(self, mesh):
+        text = (
+            "*NODE\n1, 1., 0., 0.\n2, 2., 0., 0.\n*ELEMENT, TYPE=B31, ELSET=E\n1, 1, 2\n*NSET, NSET=A, ELSET=E\n"
+            "*NCOPY, OLD SET=A, CHANGE NUMBER=10, SHIFT\n0., 0., 5.\n"
+        )
+        found = mesh(text).places
+        np.testing.assert_allclose([found[11], found[12]], [[1, 0, 5], [2, 0, 5]])
+
     def test_copies_are_moved_and_turned_again_and_again(self, mesh):
         text = (
             "*NODE, NSET=A\n1, 1., 0., 0.\n"

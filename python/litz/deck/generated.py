@@ -144,6 +144,9 @@ class _Mesh:
         elif card.is_a("ELEMENT"):
             kind_of_element = str(card.get("TYPE", ""))
             self.elements |= {_whole(row[0]): (kind_of_element, [_whole(one) for one in row[1:]]) for row in rows}
+        elif card.is_a("NSET") and "ELSET" in card:
+            elements = self._members("ELSET", card["ELSET"])
+            members = [node for element in elements for node in self.elements.get(element, ("", []))[1]]
         elif "GENERATE" in card:
             ranges = ([one for one in row if isinstance(one, int)] for row in rows)
             members = itertools.chain.from_iterable(range(one[0], one[1] + 1, *one[2:]) for one in ranges)

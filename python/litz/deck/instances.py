@@ -280,8 +280,11 @@ class _Instances:
                 members += self._in_range(row, numbers, instance)
             else:
                 for value in row:
-                    if isinstance(value, str) and f"{prefix}{value}".upper() in self.sets:
-                        members.append(f"{prefix}{value}")
+                    # a set of the instance, or of the assembly
+                    names = [f"{instance}.{value}"] * bool(instance) + [f"{prefix}{value}"]
+                    known = [name for name in names if isinstance(value, str) and name.upper() in self.sets]
+                    if known:
+                        members.append(known[0])
                     elif value is not None:
                         members.append(self._item(value, numbers, instance))
         elements = card.get("ELSET") if card.is_a("NSET") else None
