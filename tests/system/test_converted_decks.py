@@ -456,6 +456,29 @@ def test_instances_that_cannot_be_placed(convert, old, new, message):
     assert message in done.stderr
 
 
+def test_the_axis_of_a_general_section_may_be_a_blank_line(convert, litz, tmp_path):
+    """As in Abaqus, before the moduli; it is its default there, (0, 0, -1)."""
+    section = "*Beam General Section, elset=WIRE, section=GENERAL\n 1e-2, 1e-5, 0., 5e-6, 1e-5\n\n 1e7, 4e6\n"
+    step = "*Boundary\n 1, 1, 6\n*Step\n*Static\n*Cload\n 2, 2, 1e-3\n*End Step\n"
+    done, new = convert(MESH.replace("B31", "B33") + section + step, "--dialect", "abaqus")
+    assert done.returncode == 0, done.stderr
+    assert "\n 0, 0, -1\n 1e7, 4e6\n" in new
+    assert litz("run", "new.inp", "-o", "out", cwd=tmp_path).returncode == 0
+    # the force along y bends about z, the first axis
+    sag = 1e-3 * 0.1**3 / (3 * 1e7 * 1e-5)
+    assert Results(tmp_path / "out").field("displacement")[1, 1] == pytest.approx(sag, rel=1e-6)
+
+
+@pytest.mark.parametrize("option", ["--young", "--poisson", "--conductivity"])
+def test_a_material_that_nothing_would_have_is_refused(convert, option):
+    """Where the deck has sections and materials of its own."""
+    for text in (CCX, MESH):
+        done, new = convert(text, "--dialect", "ccx", option, "0.3")
+        assert done.returncode != 0
+        assert f"{option} would be of wires of --radius" in done.stderr
+        assert not new
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message", "line"),
     [

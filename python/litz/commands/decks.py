@@ -68,7 +68,7 @@ def convert_command(arguments: list[str]) -> int:
         help="unit of length of the mesh, with forces in N: the unit of the default material, and the label of *UNITS",
     )
     parser.add_argument("--young", type=float, help="Young's modulus; default: copper, in the units of --length")
-    parser.add_argument("--poisson", type=float, default=COPPER.poisson, help="Poisson's ratio; default: copper")
+    parser.add_argument("--poisson", type=float, help="Poisson's ratio; default: copper")
     parser.add_argument("--conductivity", type=float, help="electrical conductivity; without it an insulator")
     parser.add_argument(
         "--element",
@@ -79,6 +79,11 @@ def convert_command(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if Path(options.deck).exists():
         raise FileError(f"{options.deck} exists already and is not overwritten; choose another name")
+    given = [f"--{name}" for name in ("young", "poisson", "conductivity") if getattr(options, name) is not None]
+    if given and options.radius is None:
+        parser.error(
+            f"{' and '.join(given)} would be of wires of --radius; without it sections and materials are those of the mesh"
+        )
     try:
         if options.radius is None and has_steps(Path(options.mesh)):
             return _convert_whole_deck(options)
@@ -86,7 +91,8 @@ def convert_command(arguments: list[str]) -> int:
         notes = ["Supports, contacts and loads must be added: outlines are below, `litz keywords` explains them."]
         units = {} if options.length is None else {"length": options.length}
         model = Model(f"Wires of {mesh.path.name}", notes, **({"units": units} if units else {}))
-        material = Material("WIRE", _young(options), options.poisson, options.conductivity)
+        poisson = COPPER.poisson if options.poisson is None else options.poisson
+        material = Material("WIRE", _young(options), poisson, options.conductivity)
         model.mesh(
             mesh, radius=options.radius, material=None if options.radius is None else material, element=options.element
         )

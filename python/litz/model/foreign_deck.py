@@ -30,6 +30,8 @@ from .unused_definitions import unused_definitions
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
 
+#: First axis of sections in Abaqus
+_DEFAULT_AXIS = (0.0, 0.0, -1.0)
 #: How the program begins to tell of a keyword that it lacks
 _LACKS = ("error: litz has no *", "error: unknown keyword")
 #: Elements without stiffness, and the cards that give their masses
@@ -277,6 +279,13 @@ def _materials(cards: list[Card]) -> dict[str, Material]:
     return found
 
 
+def _is_blank_behind(card: Card) -> bool:
+    """Whether a blank line follows the first data line."""
+    lines = [line.strip() for line in card.body if not line.strip().startswith("**")]
+    first = next(i for i, line in enumerate(lines) if line)
+    return not lines[first + 1]
+
+
 def _converted(card: Card, dialect: str | None, materials: dict[str, Material], path: Path) -> str:
     """The card in the dialect of litz."""
     if card.is_a("DLOAD") and not card.data and "OP" not in card:
@@ -287,6 +296,9 @@ def _converted(card: Card, dialect: str | None, materials: dict[str, Material], 
     if card.is_a("BEAM SECTION") and len(card.data) > 2:
         # numbers of integration points
         card.data = card.data[:2]
+    if card.is_a("BEAM GENERAL SECTION") and "MATERIAL" not in card and len(card.data) == 2 and _is_blank_behind(card):
+        # a first axis that is left out, before the moduli
+        card.data = [card.data[0], _DEFAULT_AXIS, card.data[1]]
     shape = str(card.get("SECTION", "")).upper()
     # CalculiX looks at four letters
     if dialect == "ccx" and len(shape) > 4 and shape[:4] in ("RECT", "CIRC", "PIPE"):
