@@ -147,7 +147,7 @@ def test_sections_and_materials_of_a_deck_make_a_model(file):
 def test_a_material_has_the_values_of_its_cards(file, cards, material):
     """Behind them is the temperature that they are for; one that depends on temperature has no place in a mesh."""
     deck = "*NODE\n 1, 0, 0\n 2, 1, 0\n*ELEMENT, TYPE=B33, ELSET=ALL\n 1, 1, 2\n*MATERIAL, NAME=METAL\n"
-    path = file("deck.inp", f"{deck}{cards}*BEAM SECTION, ELSET=ALL, MATERIAL=METAL, SECTION=CIRC\n 1e-3\n")
+    path = file(f"{deck}{cards}*BEAM SECTION, ELSET=ALL, MATERIAL=METAL, SECTION=CIRC\n 1e-3\n", "deck.inp")
     if material is None:
         with pytest.warns(UserWarning, match="that does not depend on temperature"):
             assert litz.read_mesh(path, dialect="abaqus").sections == []
