@@ -40,7 +40,8 @@ class _DeckReader:
         self.elements: dict[_Key, list[int]] = {}
         self.node_sets: dict[str, list[_Key]] = {}
         self.element_sets: dict[str, list[_Key]] = {}
-        self.materials: dict[str, list[float]] = {}
+        #: Lines of the cards of each material
+        self.materials: dict[str, dict[str, list[list]]] = {}
         self.sections: list[tuple[str, Card]] = []
         self.left_out: dict[str, int] = {}
         #: Names of the cards that are no mesh, in their order
@@ -81,8 +82,7 @@ class _DeckReader:
         if card.is_a("MATERIAL"):
             self._material = str(card["NAME"])
         elif card.is_a("ELASTIC") or card.is_a("ELECTRICAL CONDUCTIVITY"):
-            values = [float(value) for value in card.data[0] if isinstance(value, int | float)] if card.data else []
-            self.materials.setdefault(self._material, []).extend(values)
+            self.materials.setdefault(self._material, {})[card.name.upper()] = [list(row) for row in card.data]
         elif card.is_a("BEAM SECTION"):
             self.sections.append((self._prefix, card))
         elif card.name not in _NO_LOSS:
@@ -254,11 +254,11 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
     """Round sections whose material is there."""
     for prefix, card in reader.sections:
         shape, name = str(card.get("SECTION", "")).upper(), str(card.get("MATERIAL", ""))
-        values = reader.materials.get(_spelt(name, reader.materials), [])
-        if shape != "CIRC" or len(values) not in (2, 3):
+        material = _constant_material(name, reader.materials.get(_spelt(name, reader.materials), {}))
+        if shape != "CIRC" or material is None:
             warnings.warn(
-                f"{reader.path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic"
-                " material",
+                f"{reader.path}: the section of {card.get('ELSET')} is ignored: of a mesh litz reads SECTION=CIRC with an"
+                " elastic material that does not depend on temperature",
                 stacklevel=6,
             )
             continue
@@ -268,7 +268,6 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
                 f"{reader.path}: *BEAM SECTION, ELSET={card.get('ELSET')} has {' and '.join(offsets)}: the axes of wires of a"
                 " mesh pass through their nodes; litz convert keeps the whole deck"
             )
-        material = _material(name, *values)
         yield f"{prefix}{card['ELSET']}", round_section(reader.path, reader.dialect, card, material), material
 
 
@@ -325,6 +324,16 @@ def _ellipse(
     )
 
 
-def _material(name: str, young: float, poisson: float, conductivity: float | None = None) -> Material:
-    """A material of the numbers that have been read."""
-    return Material(name, young, poisson, conductivity)
+def _constant_material(name: str, cards: dict[str, list[list]]) -> Material | None:
+    """E and nu, and the conductivity if there is one; None: they are not there, or depend on temperature.
+
+    What follows them on a line is the temperature that they are for.
+    """
+    elastic = cards.get("ELASTIC", [])
+    conducting = cards.get("ELECTRICAL CONDUCTIVITY", [])
+    if len(elastic) != 1 or len(elastic[0]) < 2 or len(conducting) > 1:
+        return None
+    numbers = [*elastic[0][:2], *(conducting[0][:1] if conducting else [])]
+    if not all(isinstance(value, int | float) for value in numbers):
+        return None
+    return Material(name, *map(float, numbers))
