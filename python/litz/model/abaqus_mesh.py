@@ -336,4 +336,5 @@ def _constant_material(name: str, cards: dict[str, list[list]]) -> Material | No
     numbers = [*elastic[0][:2], *(conducting[0][:1] if conducting else [])]
     if not all(isinstance(value, int | float) for value in numbers):
         return None
-    return Material(name, *map(float, numbers))
+    young, poisson, *conductivity = map(float, numbers)
+    return Material(name, young, poisson, conductivity[0] if conductivity else None)
