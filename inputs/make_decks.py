@@ -366,7 +366,7 @@ Contact  Hertz, an oxide of 1e-11 ohm m2, friction of 0.3, and 0.1 on the jacket
          void fractions of a third, yield.
 Source   litz.build.cable, called in inputs/make_decks.py. Equilibrium of the cable: jacket and ends carry the Lorentz force.
 Expect   Lorentz force 460.07 N, 45 x 75 A x 11.5 T over the 12 mm of the cable less the 1.2 % by which it gets shorter. The
-         bundles, each soldered, have 0.36 to 0.77 mohm from one to the next under load, and 0.38 to 0.96 mohm without
+         bundles, each soldered, have 0.36 to 0.82 mohm from one to the next under load, and 0.38 to 1.04 mohm without
          (superconducting). Over ten cycles that changes by up to 11 %, by less with each: friction lets strands settle.
          It takes seven minutes on one processor: 2000 iterations with up to 4500 contacts.""".splitlines()
     return model

@@ -322,7 +322,10 @@ contains
          if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
          if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
             maxval(-points%gap), maxval(-line_points%gap))) return
-         if (self%contact%n_settled == 0) call self%settle(domain, has_moved)
+         if (self%contact%n_settled > 0) return
+         call self%settle(domain, has_moved)
+         ! once is enough
+         self%contact%n_settled = 1
       end associate
    end subroutine anticipate
 
@@ -360,13 +363,13 @@ contains
       real(dp) :: largest_change
 
       if (contact%n_settled >= max_settlings) return
-      contact%n_settled = contact%n_settled + 1
       points = contact%points
       line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
          contact, largest_change)
-      if (largest_change > settled_change(contact%n_settled)) then
+      if (largest_change > settled_change(contact%n_settled + 1)) then
          has_moved = .true.
+         contact%n_settled = contact%n_settled + 1
       else
          call move_alloc(points, contact%points)
          call move_alloc(line_points, contact%line_points)

@@ -11,7 +11,7 @@ module litz_newton
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
-      first_slot_of_group, group_transport, temperature_slots
+      first_slot_of_group, n_groups, group_transport, temperature_slots
    use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
    use litz_group_update, only: note_distance
@@ -111,7 +111,12 @@ contains
             return
          end if
          if (.not. carries_prescribed(problem) .and. all(outcome%last%residual <= outcome%last%allowed)) then
-            if (corrections_small(step, problem%iterate%change, outcome%last)) exit
+            if (corrections_small(step, problem%iterate%change, outcome%last)) then
+               ! what the other groups have changed since may have come last
+               if (problem%scheme%is_swept) call settle(problem, step, outcome, error)
+               if (allocated(error)) return
+               if (all(outcome%last%residual <= outcome%last%allowed)) exit
+            end if
          end if
          if ((max(outcome%counted, outcome%sweeps) > step%controls%i_c .and. .not. is_nearly_there(outcome)) .or. &
             outcome%iterations >= max_iterations*step%controls%i_c) then
@@ -210,17 +215,19 @@ contains
    end function carries_prescribed
 
    !> Once the forces of the first group balance, terms bring up to date what they have held back; or before, when the
-   !> iterate tells well enough what that will be, so that the iterations that are left are with it.
+   !> iterate tells well enough what that will be, so that the iterations that are left are with it. Where no motion is
+   !> free the first group balances from the start: there all that warms, and swells, has to come to rest first.
    subroutine settle(problem, step, outcome, error)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
       type(outcome_t), intent(inout) :: outcome
       type(error_t), allocatable, intent(out) :: error
-      logical :: has_moved
+      logical :: has_moved, moves
       integer :: i
 
       has_moved = .false.
-      if (has_converged(outcome%last, 1)) then
+      moves = any(problem%equations%number(first_slot_of_group(1):last_slot_of_group(1), :) > 0)
+      if (has_converged(outcome%last, merge(1, n_groups, moves))) then
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%settle(problem%domain_t, has_moved)
          end do
@@ -228,7 +235,7 @@ contains
             outcome%to_balance = outcome%factorisations
             outcome%counted = min(outcome%counted, step%controls%i_c - after_balance)
          end if
-      else
+      else if (moves) then
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%anticipate(problem%domain_t, outcome%last%residual(field_displacement), &
                has_moved)

@@ -734,6 +734,6 @@ def test_jacket_and_ends_carry_the_lorentz_force_of_45_strands_over_ten_cycles(r
     for step in (4, 6, 20, 22):
         circuit = results.interstrand_resistance(ends[step - 1], superconducting=True)
         between.append(np.array([circuit.between(f"BUNDLE{i}", f"BUNDLE{i % 5 + 1}") for i in range(1, 6)]))
-    assert np.all((np.array(between) > 3e-4) & (np.array(between) < 8e-4))
+    assert np.all((np.array(between) > 3.6e-4) & (np.array(between) < 8.2e-4))
     # the last cycle changes it by less than half of what the second does, but for round-off
     assert np.all(abs(between[3] - between[2]) < 0.5 * abs(between[1] - between[0]) + 1e-7)
