@@ -44,6 +44,8 @@ module litz_contact_term
    type, extends(term_t) :: contact_term_t
       !> The set of contacts, which the checks of a converged state, restart files and results read, too
       type(contact_set_t), pointer :: contact => null()
+      !> Shares have been settled for temperatures in balance
+      logical, private :: has_settled_warm = .false.
    contains
       procedure :: connect
       procedure :: apply_load
@@ -99,6 +101,7 @@ contains
          call forget_predictions(contact%points)
          call forget_predictions(contact%line_points)
          contact%n_settled = 0
+         self%has_settled_warm = .false.
          contact%shares_wait = .false.
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             domain%wires)
@@ -353,6 +356,11 @@ contains
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
 
+      if (domain%is_balanced .and. .not. self%has_settled_warm) then
+         ! motions that are held balance before the temperatures do by which wires swell
+         self%has_settled_warm = .true.
+         self%contact%n_settled = 0
+      end if
       call settle_shares(domain, self%contact, has_moved)
       if (.not. any(domain%elements%shear_flexible)) return
       call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, domain%wires)

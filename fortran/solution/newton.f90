@@ -10,7 +10,7 @@ module litz_newton
    use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
-   use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
+   use litz_fields, only: field_displacement, n_fields, n_groups, n_slots, first_slot, last_slot, last_slot_of_group, &
       first_slot_of_group, group_transport, temperature_slots
    use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
@@ -220,6 +220,8 @@ contains
       integer :: i
 
       has_moved = .false.
+      problem%is_balanced = problem%scheme%is_swept .and. has_converged(outcome%last, n_groups) .and. &
+         .not. problem%iterate%mechanics_lags()
       if (has_converged(outcome%last, 1)) then
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%settle(problem%domain_t, has_moved)

@@ -66,6 +66,8 @@ module litz_domain
       !> Motions and temperatures are in one Newton step: what temperatures do to motions, and motions to heat, is part
       !> of the tangent
       logical :: coupled_step = .false.
+      !> Groups that act back on the motions are in balance with these at this iterate
+      logical :: is_balanced = .false.
       !> The pattern must be built and analysed before the next solve
       logical :: pattern_changed = .true.
       type(timing_t) :: timing

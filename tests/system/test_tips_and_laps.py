@@ -69,7 +69,10 @@ ENDS = {
     "tip beside a line": (ALONG, from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, 0.01), n=12)),
     "lap of a tenth of a radius": (TO_END, TO_END * [-1, 1, 1] + [-0.1 * RADIUS, 0, 2 * RADIUS]),
     "lap of a radius": (TO_END, TO_END * [-1, 1, 1] + [-RADIUS, 0, 2 * RADIUS]),
-    "crossing": (TO_END + [0.06 * RADIUS, 0, 0], from_tip((-0.04 * RADIUS, -0.04 * RADIUS, 2 * RADIUS), (1, 1, 0))),
+    "crossing": (
+        TO_END + np.array([0.06 * RADIUS, 0, 0]),
+        from_tip((-0.04 * RADIUS, -0.04 * RADIUS, 2 * RADIUS), (1, 1, 0)),
+    ),
 }
 
 

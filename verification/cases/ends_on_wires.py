@@ -59,9 +59,7 @@ def measure(workspace):
 def draw(values, path):
     with figures.panels(path) as (tips, laps):
         tips.plot(SLOPES, values["figure"]["tips"], "o", label="litz")
-        tips.plot(
-            SLOPES, [1.133, 1.185, 1.432, 1.803, 2.261], label="boundary elements", **figures.REFERENCE
-        )
+        tips.plot(SLOPES, [1.133, 1.185, 1.432, 1.803, 2.261], label="boundary elements", **figures.REFERENCE)
         tips.set(xlabel="slope of the tip [(delta/r)^(1/2)]", ylabel="force [E* r^(1/2) delta^(3/2)]", ylim=(0, None))
         tips.legend()
         laps.plot(LAPS, values["figure"]["laps"], "o")

@@ -84,5 +84,5 @@ def largest_force_per_length(results: ResultFile) -> float:
     if "length" not in ledger:
         return 0.0
     on_line = ledger["length"] > 0
-    force = ledger["force"] - (ledger["end_force"] if "end_force" in ledger else 0.0)
+    force = ledger["force"] - ledger.get("end_force", 0.0)
     return float((force[on_line] / ledger["length"][on_line]).max(initial=0.0))
