@@ -16,7 +16,7 @@ module litz_contact_heat_term
    use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals, contact_rows
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
-   use litz_hot_places, only: melted, beyond_table, beyond_table_inside
+   use litz_hot_places, only: beyond_table, beyond_table_inside
    use litz_model, only: step_t
    use litz_property_table, only: property_at
    use litz_rubbing, only: rubbing_t, is_abrupt, add_friction_heat
@@ -370,16 +370,15 @@ contains
          ' at absolute zero or below, or heat far more than it can pass'
    end function refusal
 
-   !> Metal in a spot has melted, or is hotter than what is known of it: what then happens is not modelled.
+   !> Metal at a spot is hotter than what is known of it.
    function rejection(self, domain) result(reason)
       class(contact_heat_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
       character(len=:), allocatable :: reason
 
-      reason = melted(domain, self%contact%points)
-      if (len(reason) == 0) reason = melted(domain, self%contact%line_points)
+      reason = ''
       if (.not. allocated(self%heat)) return
-      if (len(reason) == 0) reason = beyond_table(domain, self%contact%points(self%points))
+      reason = beyond_table(domain, self%contact%points(self%points))
       if (len(reason) == 0) reason = beyond_table(domain, self%contact%line_points(self%line_points))
       if (len(reason) == 0) reason = beyond_table_inside(domain, self%heat)
    end function rejection

@@ -17,6 +17,7 @@ module litz_contact_term
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, field_rotation, field_potential, first_slot, last_slot, group_transport, &
       potential_slots
+   use litz_hot_places, only: melted
    use litz_line_points, only: locate_line_points, add_line_points
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
@@ -50,6 +51,7 @@ module litz_contact_term
       procedure :: locate
       procedure :: evaluate
       procedure :: refusal
+      procedure :: exceeded_limit
       procedure :: count_status
       procedure :: link
       procedure :: has_mutual_tangent
@@ -187,6 +189,16 @@ contains
       reason = refused_contact(domain%model, self%contact%points)
       if (len(reason) == 0) reason = refused_contact(domain%model, self%contact%line_points)
    end function refusal
+
+   !> Metal in a spot has melted: what then happens is not modelled.
+   function exceeded_limit(self, domain) result(reason)
+      class(contact_term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      character(len=:), allocatable :: reason
+
+      reason = melted(domain, self%contact%points)
+      if (len(reason) == 0) reason = melted(domain, self%contact%line_points)
+   end function exceeded_limit
 
    subroutine count_status(self, status)
       class(contact_term_t), intent(in) :: self

@@ -15,7 +15,7 @@ module litz_nodal_values
    implicit none
    private
    public :: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, start_list, begin_step, &
-      read_nodal_values
+      read_nodal_values, no_longer_named
 
    !> The kinds of prescribed values, of temperatures that are no unknowns, and of those before the first step; that of
    !> loads is the first field with their keyword
@@ -164,6 +164,16 @@ contains
          if (amplitude%line > 0) call fail_at(self, amplitude, 'what is FIXED follows no amplitude')
       end associate
    end subroutine read_fixed
+
+   !> Those of the last step's values that are no longer in the list.
+   pure function no_longer_named(last, list) result(items)
+      type(nodal_value_t), intent(in) :: last(:)
+      type(value_list_t), intent(in) :: list
+      type(nodal_value_t), allocatable :: items(:)
+      integer :: i
+
+      items = pack(last, [(list%item(slot_of_dof(last(i)%dof), last(i)%node) == 0, i=1, size(last))])
+   end function no_longer_named
 
    !> OP=NEW removes what earlier steps left; within a step all cards must agree.
    subroutine apply_op(self, card, list)

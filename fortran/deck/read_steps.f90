@@ -13,7 +13,7 @@ module litz_read_steps
    use litz_data_lines, only: read_line
    use litz_lookup, only: name_map_t
    use litz_nodal_values, only: value_list_t, kind_boundary, kind_temperature, kind_initial, field_of_load, &
-      start_list, begin_step, read_nodal_values
+      start_list, begin_step, read_nodal_values, no_longer_named
    use litz_read_element_loads, only: load_list_t, start_loads, begin_loads, read_element_loads
    use litz_read_element_heat, only: heat_cards_t, begin_heat, read_element_heat
    use litz_read_requests, only: request_list_t, begin_requests, read_request
@@ -219,6 +219,7 @@ contains
          if (so_far%step > 1) this%has_solved = this%solves .or. model%steps(so_far%step - 1)%has_solved
          this%boundary = boundary%items(:boundary%n)
          this%predefined = temperature%items(:temperature%n)
+         if (so_far%step > 1) this%let_go = no_longer_named(model%steps(so_far%step - 1)%predefined, temperature)
          this%element_loads = so_far%element_loads%items(:so_far%element_loads%n)
          this%load = [(load(field)%items(:load(field)%n), field=1, n_fields)]
          if (.not. this%solves(field_temperature) .and. solves_temperatures(self)) call set_temperatures_aside(self, &

@@ -249,7 +249,7 @@ contains
 
       call begin(k, 'TEMPERATURE', place_step, 'Temperatures of nodes, where they are no unknowns. Without an'// &
          ' amplitude they ramp over the step from what they were; nodes that no *TEMPERATURE names have their'// &
-         ' initial temperature (*INITIAL CONDITIONS).')
+         ' initial temperature (*INITIAL CONDITIONS), or keep that which an earlier step has solved for.')
       call k%add(choice('OP', 'MOD|NEW', 'MOD changes or adds to the temperatures of earlier steps; NEW removes'// &
          ' them all, with or without data lines: nodes not named again return to their initial temperature over the'// &
          ' step', default='MOD'))

@@ -256,8 +256,8 @@ contains
       k = 0
       do i = 1, n
          set = min(i, n_sets)
-         call core_heat_capacity(temperature(:, i), before(:, i), before(:, i), [1.0_c_double, 0.0_c_double], &
-            mass_per_time(i), specific_heat(:, :, set), &
+         call core_heat_capacity(temperature(:, i), before(:, i), before(:, i), &
+            spread([1.0_c_double, 0.0_c_double], 2, 2), mass_per_time(i), specific_heat(:, :, set), &
             [(latent_heat_t(latent(1, j, set), latent(2, j, set), latent(3, j, set)), j=1, n_latent)], slope, r(:, i))
          k(1, 1, i) = slope(1)
          k(2, 2, i) = slope(2)

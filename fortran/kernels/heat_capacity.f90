@@ -40,8 +40,8 @@ contains
    pure subroutine heat_capacity(temperature, before, earlier, weights, mass_per_time, specific_heat, latent, k, r)
       !> Of the nodes, now, at the start of the increment and at that of the one before it (2) [K]
       real(dp), intent(in) :: temperature(2), before(2), earlier(2)
-      !> `a` and `b`; 1 and 0: backward Euler, for which `earlier` is nothing
-      real(dp), intent(in) :: weights(2)
+      !> `a` and `b` of either node (2, 2); 1 and 0: backward Euler, for which `earlier` is nothing
+      real(dp), intent(in) :: weights(2, 2)
       !> Mass of the element over the time increment [kg/s]
       real(dp), intent(in) :: mass_per_time
       !> Temperatures [K] and specific heats [J/(kg K)] (2, n)
@@ -57,11 +57,11 @@ contains
 
       do i = 1, 2
          call enthalpy_difference(temperature(i), before(i), specific_heat, latent, difference, slope)
-         r(i) = weights(1)*(mass_per_time/2)*difference                                                   ! (1), (2)
-         k(i) = weights(1)*(mass_per_time/2)*slope
-         if (.not. weights(2) > 0) cycle
+         r(i) = weights(1, i)*(mass_per_time/2)*difference                                                ! (1), (2)
+         k(i) = weights(1, i)*(mass_per_time/2)*slope
+         if (.not. weights(2, i) > 0) cycle
          call enthalpy_difference(before(i), earlier(i), specific_heat, latent, difference, unused)
-         r(i) = r(i) - weights(2)*(mass_per_time/2)*difference
+         r(i) = r(i) - weights(2, i)*(mass_per_time/2)*difference
       end do
    end subroutine heat_capacity
 

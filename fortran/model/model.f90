@@ -294,6 +294,8 @@ module litz_model
       type(nodal_value_t), allocatable :: boundary(:), load(:)
       !> Given values of what is not an unknown, such as temperatures, as they stand in this step
       type(nodal_value_t), allocatable :: predefined(:)
+      !> Those that the step before has and this one no longer names; not allocated: none
+      type(nodal_value_t), allocatable :: let_go(:)
       !> On the length of each element (n_elements), carried over as well
       type(element_heat_t), allocatable :: heat(:)
       !> Forces on the length of elements, carried over as well; those that end in this step are zero

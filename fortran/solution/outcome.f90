@@ -9,12 +9,12 @@ module litz_outcome
    private
    public :: outcome_t
    public :: cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, cause_turned_ends, &
-      cause_fed_part, cause_no_solution, cause_failed_law, cause_large_change
+      cause_fed_part, cause_no_solution, cause_failed_law, cause_large_change, cause_exceeded_limit
 
    !> Why an increment is given up
    integer, parameter :: cause_iterations = 1, cause_not_finite = 2, cause_singular = 3, cause_lost_contact = 4, &
       cause_turned_ends = 5, cause_failed_law = 6, cause_fed_part = 7, cause_no_solution = 8, &
-      cause_large_change = 9
+      cause_large_change = 9, cause_exceeded_limit = 10
 
    type :: outcome_t
       logical :: converged = .false.

@@ -104,6 +104,7 @@ contains
       call request_slots(problem, step%solves, exists)
       associate (eliminated => problem%iterate%constraints%of > 0, n => problem%model%n_nodes)
          problem%loading%stays = stays .or. (eliminated .and. spread(step%has_solved(field_of_slot), 2, n))
+         call release(step, problem%loading%stays)
          is_there = exists .or. (eliminated .and. spread(step%solves(field_of_slot), 2, n))
       end associate
       call refuse_absent_unknowns(problem%model, step%boundary, exists, error)
@@ -124,6 +125,19 @@ contains
       end if
       problem%has_factor = .false.
    end subroutine begin_step
+
+   !> What a step before has given and this one does not returns to its initial value, also where one has solved for it.
+   pure subroutine release(step, stays)
+      type(step_t), intent(in) :: step
+      !> (n_slots, n_nodes)
+      logical, intent(inout) :: stays(:, :)
+      integer :: i
+
+      if (.not. allocated(step%let_go)) return
+      do i = 1, size(step%let_go)
+         stays(slot_of_dof(step%let_go(i)%dof), step%let_go(i)%node) = .false.
+      end do
+   end subroutine release
 
    !> Motions and temperatures have one Newton step unless the deck asks for turns, and so have motions and potentials
    !> where currents move wires in a magnetic field; temperatures alone have the iteration of a turn.

@@ -2,7 +2,8 @@
 !> between them.
 !>
 !> Backward Euler in the first increment of a step, before which loads and surroundings may have jumped, and BDF2 with
-!> increments of any size after it. Source: theory section 13.
+!> increments of any size after it. Where a temperature is prescribed backward Euler goes on: what is stored there is no
+!> part of the equations of the others, and BDF2 would take back half of the heat of a jump. Source: theory section 13.
 module litz_capacity_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
@@ -37,6 +38,8 @@ module litz_capacity_term
       logical :: is_at_work = .false.
       !> [s]
       real(dp) :: increment = 1
+      !> Temperatures that are prescribed, or joined with such by equations (n_nodes)
+      logical, allocatable :: is_led(:)
       !> Temperatures when the increment began (n_nodes) [K]
       real(dp), allocatable :: at_start(:)
       !> What the elements take up, and what of it their films take between the nodes (n_elements) [W]
@@ -74,6 +77,7 @@ contains
 
       self%is_at_work = step%transient
       self%increment = increment
+      self%is_led = led_nodes(domain)
       domain%heat_weights = [1, 0]
       associate (before => domain%state%time_increment)
          if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then
@@ -81,6 +85,27 @@ contains
          end if
       end associate
    end subroutine apply_load
+
+   !> Nodes whose temperatures are prescribed, or joined with such by equations: all of these jump at once.
+   pure function led_nodes(domain) result(led)
+      type(domain_t), intent(in) :: domain
+      logical :: led(domain%model%n_nodes)
+      integer :: i, n
+
+      led = domain%loading%fixed(slot, :)
+      associate (constraints => domain%iterate%constraints)
+         do
+            n = count(led)
+            do i = 1, constraints%n
+               if (constraints%slot(i) /= slot) cycle
+               associate (masters => constraints%master_node(constraints%start(i):constraints%start(i + 1) - 1))
+                  if (led(constraints%node(i)) .or. any(led(masters))) led([constraints%node(i), masters]) = .true.
+               end associate
+            end do
+            if (count(led) == n) exit
+         end do
+      end associate
+   end function led_nodes
 
    subroutine start(self, domain)
       class(capacity_term_t), intent(inout) :: self
@@ -127,13 +152,18 @@ contains
       integer, intent(in) :: e
       !> (2, 2) [W/K], (2) [W]
       real(dp), intent(out) :: k(2, 2), r(2)
-      real(dp) :: slope(2), share, dshare
+      real(dp) :: weights(2, 2), slope(2), share, dshare
+      integer :: i
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
          node => domain%model%connectivity(:, e), state => domain%state)
+         weights = spread(domain%heat_weights, 2, 2)
+         do i = 1, 2
+            if (self%is_led(node(i))) weights(:, i) = [1, 0]
+         end do
          associate (material => domain%model%materials(section%material))
             call heat_capacity(domain%iterate%value(slot, node), state%value(slot, node), &
-               state%temperature_before(node), domain%heat_weights, &
+               state%temperature_before(node), weights, &
                material%density*section%area*domain%elements%length(e)/self%increment, material%specific_heat, &
                self%phases(section%material)%latent, slope, r)
          end associate

@@ -3,7 +3,8 @@
 !> Without an amplitude a value ramps over the step from what it was at the start of the step, and is there at once in a
 !> step over time; what a step no longer
 !> names ramps to zero (loads), to its initial value (what is given and no unknown, such as a temperature; one that an
-!> earlier step has solved for stays) or is set free (prescribed values). Source: Abaqus's rules for static steps.
+!> earlier step has solved for stays, unless the step before gave it) or is set free (prescribed values). Source:
+!> Abaqus's rules for static steps.
 module litz_loading
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, &

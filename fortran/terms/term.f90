@@ -33,6 +33,7 @@ module litz_term
       procedure(evaluate), deferred :: evaluate
       procedure :: refusal
       procedure :: rejection
+      procedure :: exceeded_limit
       procedure :: count_status
       procedure :: link
       procedure :: hold
@@ -129,6 +130,15 @@ contains
 
       reason = ''
    end function rejection
+
+   !> Which limit of the deck the iterate is beyond, though it may be a solution; empty: all are kept.
+   function exceeded_limit(self, domain) result(reason)
+      class(term_t), intent(in) :: self
+      type(domain_t), intent(in) :: domain
+      character(len=:), allocatable :: reason
+
+      reason = ''
+   end function exceeded_limit
 
    !> Add to the numbers of one-sided conditions.
    subroutine count_status(self, status)

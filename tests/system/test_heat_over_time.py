@@ -174,6 +174,47 @@ class TestClosedForms:
         assert results.field("displacement")[-1, 0] == pytest.approx(17e-6 * rise * LENGTH, rel=1e-9)
 
 
+def stored_by_nodes(results, length):
+    """In each increment; those at the ends have half of an element (increments, nodes) [J]."""
+    changes = np.diff(results.field("temperature", increment=None), axis=0)
+    elements = np.r_[0.5, np.ones(changes.shape[1] - 2), 0.5]
+    return DENSITY * HEAT * AREA * length / elements.sum() * elements * changes
+
+
+class TestHeatThatEntersAtPrescribedTemperatures:
+    """Its sum over the increments is what is stored, but for half of what BDF2 takes of free nodes for their last rate."""
+
+    @pytest.mark.parametrize("increment", [0.002, 0.01])
+    def test_that_of_a_jump(self, run, increment):
+        results = run(f"{increment}, 0.1", length=0.02, heat="*BOUNDARY\n1, 11, 11, 400\n")
+        entering, stored = results.history["RFL node 1"][1:], stored_by_nodes(results, 0.02)
+        free = stored[:, 1:].sum(1)
+        assert entering.sum() * increment == pytest.approx(stored.sum() + (free[-1] - free[0]) / 2, rel=1e-9)
+        # the first one has the jump of the node itself; from then on heat flows in, ever less of it
+        assert entering[0] * increment > stored[0, 0] == stored[:, 0].sum()
+        assert np.diff(entering[1:])[1:].max() < 0 < entering.min()
+
+    def test_of_an_amplitude_with_corners(self, run):
+        """Insulated and of one temperature: heat enters as long as it rises, and none from then on."""
+        model = "*AMPLITUDE, NAME=RISE\n0, 0.75, 0.1, 1, 1, 1\n"
+        results = run("0.02, 0.2", elements=1, model=model, heat="*BOUNDARY, AMPLITUDE=RISE\nENDS, 11, 11, 400\n")
+        entering = results.field("reaction_heat", increment=None)[1:].sum(1)
+        power = DENSITY * HEAT * AREA * LENGTH * 100 / 0.1
+        np.testing.assert_allclose(entering, np.repeat([power, 0], 5), rtol=1e-9, atol=1e-9 * power)
+
+    def test_of_a_node_that_an_equation_makes_follow(self, run):
+        model = "*EQUATION\n2\n2, 11, 1., 1, 11, -1.\n"
+        results = run("0.01, 0.05", elements=1, model=model, heat="*BOUNDARY\n1, 11, 11, 400\n")
+        heat = DENSITY * HEAT * AREA * LENGTH * 100
+        np.testing.assert_allclose(results.history["RFL node 1"][1:] * 0.01, [heat, 0, 0, 0, 0], atol=1e-9 * heat)
+
+    def test_an_equation_between_one_that_jumps_and_a_free_one(self, run):
+        """T2 = (T1 + T3)/2: what the jump stores in the middle comes from either end, and nothing flows so soon."""
+        model = "*EQUATION\n3\n2, 11, 2., 1, 11, -1., 3, 11, -1.\n"
+        results = run("1e-6, 1e-5", elements=2, model=model, heat="*BOUNDARY\n1, 11, 11, 400\n")
+        np.testing.assert_allclose(results.history["NT node 3"][1:], ROOM - 100 / 3, atol=1e-3)
+
+
 class TestIncrements:
     def test_no_temperature_changes_by_more_than_deltmx(self, run):
         results = run("0.001, 10., 1e-6", heat="*BOUNDARY\nENDS, 11, 11, 400\n",

@@ -448,6 +448,7 @@ class TestRefusals:
         message = refused(2, heat="*GAP CONDUCTANCE, LAW=METAL, TMELT=330")
         assert "would be at" in message
         assert "and melt (TMELT=330 of *GAP CONDUCTANCE; MELTING=WARN lets it)" in message
+        assert "no steady temperature" not in message
 
     def test_hot_spots_are_warnings(self, run):
         for heat, change in (

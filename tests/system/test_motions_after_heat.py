@@ -45,6 +45,15 @@ def test_a_free_wire_lengthens(run, procedure):
     assert moved[-1] == pytest.approx(ALPHA * 60 * MEAN * LENGTH, rel=1e-9)
 
 
+def test_what_a_list_of_temperatures_lets_go_returns_to_the_initial_one(run):
+    """All others stay as the coupled step has left them, also in steps after that."""
+    later = static(cards="*TEMPERATURE\n4, 400\n") + static("0.5, 1\n", "*TEMPERATURE, OP=NEW\n") + static()
+    warm = run(voltage_for(60.0), elements=7, procedure=HELD, later=later).field("temperature", increment=None)[1:]
+    np.testing.assert_allclose(warm[1:, 3], [400, 350, 300, 300], rtol=1e-12)
+    others = np.delete(warm, 3, axis=1)
+    np.testing.assert_array_equal(others[1:], others[:1] * np.ones((4, 1)))
+
+
 def test_over_time_it_does_at_once(run):
     later = "*STEP\n*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL\n1e-6, 2e-6\n*END STEP\n"
     results = run(voltage_for(60.0), elements=7, ends="1, ENCASTRE", procedure=HELD, later=later,
@@ -78,6 +87,7 @@ def test_an_angle_beyond_half_a_turn_is_held_and_goes_on(run, again):
 @pytest.mark.slow
 def test_a_run_goes_on_from_every_increment(litz, tmp_path):
     later = static("0.3, 1\n", KEEP_ALL) + f"*STEP\n{HELD}*BOUNDARY\n1, 9, 9, 0.01\n*END STEP\n" + static("0.5, 1\n")
+    later += static("0.5, 1\n", "*TEMPERATURE\n4, 320\n") + static("0.3, 1\n", "*TEMPERATURE, OP=NEW\n")
     text = deck(voltage_for(60.0), elements=7, bow=RADIUS / 4, increments="0.5, 1\n", step=KEEP_ALL, procedure=HELD,
                 later=later)  # fmt: skip
     assert_goes_on_from_everywhere(litz, tmp_path, text)
