@@ -134,27 +134,6 @@ def test_sections_and_materials_of_a_deck_make_a_model(file):
     assert deck.card("NSET", nset="left").data == [[1]]
 
 
-@pytest.mark.parametrize(
-    ("cards", "material"),
-    [
-        ("*ELASTIC\n 120e9, 0.34, 20.\n", litz.Material("METAL", 120e9, 0.34)),
-        ("*ELECTRICAL CONDUCTIVITY\n 5e7, 20.\n*ELASTIC\n 120e9, 0.34\n", litz.Material("METAL", 120e9, 0.34, 5e7)),
-        ("*ELASTIC\n 120e9, 0.34, 20.\n 60e9, 0.34, 500.\n", None),
-        ("*ELASTIC\n 120e9, 0.34\n*ELECTRICAL CONDUCTIVITY\n 5e7, 20.\n 4e7, 100.\n", None),
-    ],
-    ids=["at a temperature", "in any order", "modulus over temperature", "conductivity over temperature"],
-)
-def test_a_material_has_the_values_of_its_cards(file, cards, material):
-    """Behind them is the temperature that they are for; one that depends on temperature has no place in a mesh."""
-    deck = "*NODE\n 1, 0, 0\n 2, 1, 0\n*ELEMENT, TYPE=B33, ELSET=ALL\n 1, 1, 2\n*MATERIAL, NAME=METAL\n"
-    path = file(f"{deck}{cards}*BEAM SECTION, ELSET=ALL, MATERIAL=METAL, SECTION=CIRC\n 1e-3\n", "deck.inp")
-    if material is None:
-        with pytest.warns(UserWarning, match="that does not depend on temperature"):
-            assert litz.read_mesh(path, dialect="abaqus").sections == []
-    else:
-        assert [of for *_, of in litz.read_mesh(path, dialect="abaqus").sections] == [material]
-
-
 def test_a_round_section_has_a_radius_in_abaqus_and_a_diameter_in_calculix(file):
     deck = file(BEAMME + SECTIONS, "beams.inp")
     with pytest.raises(
