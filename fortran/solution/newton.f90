@@ -19,7 +19,7 @@ module litz_newton
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
    use litz_outcome, only: outcome_t, cause_iterations, cause_not_finite, cause_singular, cause_lost_contact, &
-      cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law
+      cause_turned_ends, cause_fed_part, cause_no_solution, cause_failed_law, cause_exceeded_limit
    use litz_observer, only: observer_t
    use litz_problem, only: problem_t
    use litz_reports, only: iteration_report_t
@@ -416,8 +416,9 @@ contains
       largest_norm = norm2(values(:, column))
    end subroutine largest_column
 
-   !> Reject a converged state that is no solution for some term, in which the ends of an element are turned against
-   !> each other too far, or in which wires have passed through each other or overlap without a contact.
+   !> Reject a converged state that is beyond a limit of the deck or no solution for some term, in which the ends of an
+   !> element are turned against each other too far, or in which wires have passed through each other or overlap without
+   !> a contact.
    subroutine refuse_wrong_state(problem, outcome)
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(inout) :: outcome
@@ -425,6 +426,12 @@ contains
       character(len=:), allocatable :: reason
       integer :: i
 
+      do i = 1, size(problem%terms)
+         reason = problem%terms(i)%term%exceeded_limit(problem%domain_t)
+         if (len(reason) == 0) cycle
+         call give_up(outcome, cause_exceeded_limit, reason)
+         return
+      end do
       do i = 1, size(problem%terms)
          reason = problem%terms(i)%term%rejection(problem%domain_t)
          if (len(reason) == 0) cycle

@@ -422,8 +422,8 @@ FREE_FIELDS = {
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
         "has_section_results",
         "restart_frequency", "largest_change", "largest_error", "steady_rate", "controls", "solver", "coupling", "reform_kernel",
-        # follows from what the steps solve for
-        "has_solved",
+        # follow from what the steps solve for, and from what they and the steps before name
+        "has_solved", "let_go",
     },
 }  # fmt: skip
 
