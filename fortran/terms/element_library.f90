@@ -34,8 +34,9 @@ module litz_element_library
       !> first step (2, n) [K]
       integer, allocatable :: heated(:)
       real(dp), allocatable :: initial_temperature(:, :)
-      !> Axial strain of the stress-free state from temperature (n_elements)
-      real(dp), allocatable :: thermal_strain(:)
+      !> Axial strain of the stress-free state from temperature, and what of the expansion of the material that is:
+      !> chord over reference length, as the chord grows and the angles of a bend do not (n_elements)
+      real(dp), allocatable :: thermal_strain(:), straightness(:)
       !> Resistivity at mid length (n_elements) [ohm m]; 0 where there is no electric field
       real(dp), allocatable :: resistivity(:)
       !> Elements with superconducting filaments (n_elements)
@@ -142,7 +143,7 @@ contains
       n = model%n_elements
       allocate (elements%axes(n), elements%length(n), elements%strain0(6, n), elements%stiffness(6, n), &
          elements%rigidity(6, n), elements%resistivity(n), elements%area(n), elements%radius(n), &
-         elements%shear_flexible(n))
+         elements%shear_flexible(n), elements%straightness(n))
       allocate (elements%thermal_strain(n), elements%taper(n), source=0.0_dp)
       do e = 1, n
          associate (section => model%sections(model%element_section(e)))
@@ -161,6 +162,7 @@ contains
             call axis_of_beam(elements%axes(e), x0, triads0)
             call beam%reference(x0, triads0, elements%length(e), elements%strain0(:, e))
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
+            elements%straightness(e) = norm2(x0(:, 2) - x0(:, 1))/elements%length(e)
          end associate
       end do
       elements%superconducting = [(allocated(model%materials(model%sections(model%element_section(e))%material) &
@@ -292,8 +294,8 @@ contains
          associate (section => model%sections(model%element_section(e)))
             elasticity = elasticity_at(model%materials(section%material), temperature)
             heated%stiffness = section_stiffness(section, elasticity(1), elasticity(2))
-            heated%thermal_strain = thermal_strain(model%materials(section%material), temperature, &
-               sum(elements%initial_temperature(:, i))/2)
+            heated%thermal_strain = elements%straightness(e)*thermal_strain(model%materials(section%material), &
+               temperature, sum(elements%initial_temperature(:, i))/2)
          end associate
          beam = beam_of(model%element_type(e))
          heated%rigidity = beam%rigidities(heated%stiffness, elements%length(e))
@@ -315,7 +317,7 @@ contains
             elasticity = elasticity_at(material, mean)
             change = elasticity_slope(material, mean)
             slope%stiffness = section_stiffness_slope(section, elasticity(1), elasticity(2), change(1), change(2))
-            slope%thermal_strain = thermal_strain_slope(material, mean)
+            slope%thermal_strain = elements%straightness(e)*thermal_strain_slope(material, mean)
          end associate
       end associate
       ! linear in the stiffnesses

@@ -77,6 +77,20 @@ def test_a_free_wire_gets_longer_and_has_no_force(litz, tmp_path, element):
 
 
 @both_elements
+@pytest.mark.parametrize("turn", [1.5, 6.0])
+def test_a_curved_wire_that_is_free_grows_in_all_directions_alike(litz, tmp_path, element, turn):
+    """The chord of an element grows, the angles of its bend do not: it has no force, however coarse the mesh."""
+    angle = np.linspace(0, turn, 9)
+    x = 0.03 * np.column_stack([np.sin(angle), np.zeros(9), 1 - np.cos(angle)])
+    text = wire(element)
+    nodes = "\n".join(f"{i}, {a:.17g}, 0, {c:.17g}" for i, (a, _, c) in enumerate(x, 1))
+    before, after = text.index("*NODE, NSET=ALL\n") + len("*NODE, NSET=ALL\n"), text.index("\n*ELEMENT")
+    results, _ = run(litz, tmp_path, text[:before] + nodes + text[after:])
+    np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
+    assert np.abs(results.field("axial_force")).max() < ROUND_OFF * YOUNG * AREA
+
+
+@both_elements
 def test_a_clamped_wire_is_pressed_and_temperature_does_the_work(litz, tmp_path, element):
     results, _ = run(litz, tmp_path, wire(element, supports="9, ENCASTRE", temperature="ALL, 25"))
     np.testing.assert_allclose(results.field("axial_force"), -YOUNG * AREA * ALPHA * 5, rtol=ROUND_OFF)
