@@ -157,6 +157,7 @@ contains
       call take_shape(shape, present, point)
    end subroutine find_spot_of_force
 
+   !> From now on the point has the spot of this shape, and sees these wires.
    pure subroutine take_shape(shape, line, point)
       type(spot_shape_t), intent(in) :: shape
       type(line_wires_t), intent(in) :: line

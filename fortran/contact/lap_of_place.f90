@@ -14,7 +14,7 @@ module litz_lap_of_place
       !> How the length for which the place stands changes with the distance of its foot from the end of the other wire
       !> [-], and how that does [1/m]
       real(dp) :: dweight = 0, d2weight = 0
-      !> `exp(-2 Lambda)/b^2` of a strip as long as the lap [1/m^2], and how it changes with that distance [1/m^3]
+      !> `exp(-2 Lambda)/b^2` of a strip as long as a short lap [1/m^2], and how it changes with that distance [1/m^3]
       real(dp) :: strip_bound = 0, dstrip_bound = 0
       !> At the end of the wire of the place: that beside the line
       type(round_end_t) :: round_end
@@ -47,7 +47,7 @@ contains
       end associate
       if (.not. abs(lap%dstrip_bound) > 0) return
       if (.not. line%section > 0 .or. law%too_wide) return
-      ! of ln(section), which is a share of that of the wires and that of the strip
+      ! of ln(section), the sum of that of the wires and that of the strip
       slope = lap%dstrip_bound/line%section
       curvature = -slope**2
       change = change_by_section(line, law%force)

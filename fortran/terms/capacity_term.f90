@@ -77,7 +77,7 @@ contains
 
       self%is_at_work = step%transient
       self%increment = increment
-      self%is_led = led_nodes(domain)
+      if (step%transient) self%is_led = led_nodes(domain)
       domain%heat_weights = [1, 0]
       associate (before => domain%state%time_increment)
          if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then

@@ -20,14 +20,18 @@ contains
       integer, allocatable :: elements(:)
       integer :: e
 
-      allocate (elements(0))
-      do e = 1, model%n_elements
-         associate (wire => model%materials(model%sections(model%element_section(e))%material))
-            if (allocated(wire%heat_conductivity) .and. allocated(wire%specific_heat) .and. &
-               wire%density > 0) elements = [elements, e]
-         end associate
-      end do
+      elements = pack([(e, e=1, model%n_elements)], [(stores_heat(model, e), e=1, model%n_elements)])
    end function storing_elements
+
+   pure logical function stores_heat(model, e)
+      type(model_t), intent(in) :: model
+      !> Element
+      integer, intent(in) :: e
+
+      associate (wire => model%materials(model%sections(model%element_section(e))%material))
+         stores_heat = allocated(wire%heat_conductivity) .and. allocated(wire%specific_heat) .and. wire%density > 0
+      end associate
+   end function stores_heat
 
    !> Changes of phase of a material.
    pure function latent_heats(model, material) result(latent)
@@ -68,7 +72,6 @@ contains
       do k = 1, size(change, 2)
          where (capacity > 0) change(:, k) = stored(:, k)/capacity
       end do
-
    end function changes_by_heat
 
    !> What an element stores at its nodes.

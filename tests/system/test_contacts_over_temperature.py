@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from decks import crossed
-from line_wires import COPPER, HERTZ, LOWER, UPPER, pressed, spot
+from line_wires import COPPER, pressed, spot
 from litz import kernels
 from test_restart import assert_goes_on_from_everywhere
 from test_strips_of_one_wire import OVERLAP, VOLTS, parallel
@@ -128,30 +128,6 @@ def test_energy_balances_as_contacts_swell_and_soften(run, what):
         left.append(history["ETOTAL"][-1] / history["ALLCCE"][-1])
     assert left[0] / left[1] > 14
     assert abs(left[1]) < 5e-3
-
-
-@pytest.mark.parametrize("coupling", ["FULL", "UPDATED"])
-def test_wires_that_are_held_and_warmed_have_the_shares_of_their_warm_overlap(run, coupling):
-    """No motion is free, and forces balance before there are temperatures: as the wires swell, a crossing becomes a line.
-    A step in which nothing changes leaves all as it is."""
-    text = pressed(2e-7, elements=(41, 41), degrees=6, law=HERTZ + spot("HERTZ"), cards=(f"*BOUNDARY\n {LOWER}, 9\n",))
-    thermal = "*EXPANSION\n 1.7e-5\n*CONDUCTIVITY\n 200\n*ELECTRICAL CONDUCTIVITY\n"
-    text = text.replace("*ELECTRICAL CONDUCTIVITY\n", thermal).replace(
-        "*STEP",
-        "*INITIAL CONDITIONS, TYPE=TEMPERATURE\n LOWER, 300\n UPPER, 300\n*STEP",
-        1,
-    )
-    results = solved(
-        run(
-            f"{text}*STEP\n*COUPLED TEMPERATURE-DISPLACEMENT, ELECTRICAL, STEADY STATE\n 1, 1\n"
-            f"*SOLVER, NAME=BLOCK, COUPLING={coupling}\n*BOUNDARY\n {LOWER}, 11, 11, 300\n {UPPER}, 11, 11, 310\n"
-            f"*CECURRENT\n {UPPER}, 9, 60\n*END STEP\n*STEP\n*STATIC\n 1, 1\n*END STEP\n"
-        )
-    )
-    warmed, after = (results.contacts_at(increment) for increment in (-2, -1))
-    assert len(warmed["force"]) > 5
-    np.testing.assert_allclose(after["force"].sum(), warmed["force"].sum(), rtol=1e-3)
-    np.testing.assert_allclose(after["force"].max(), warmed["force"].max(), rtol=5e-3)
 
 
 def test_a_run_with_contacts_that_soften_goes_on_bit_for_bit(litz, tmp_path):
