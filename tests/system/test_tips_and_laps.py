@@ -25,13 +25,15 @@ def pressed(run, lower, upper, overlap, increments):
     )
 
 
-@pytest.mark.parametrize(("slope", "overlap"), [(0.1, 0.02), (0.03, 0.02), (0.015, 0.015)])
-def test_a_tip_has_the_force_of_a_half_space_and_holds_its_work(run, slope, overlap):
-    """Its overlap is 0.2 to 1 radius long at last, where places along the line come to carry the most of it."""
+@pytest.mark.parametrize(("slope", "overlap", "is_short"), [(0.1, 0.02, True), (0.03, 0.02, False), (0.015, 0.015, False)])
+def test_a_tip_has_the_force_of_solid_wires_and_holds_its_work(run, slope, overlap, is_short):
+    """Its overlap is 0.2 to 1 radius long at last, where places along the line come to carry the most of it; one of up to
+    0.2 radii is that of half-spaces."""
     upper = from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, slope), n=12)
     overlaps, forces, lost = pressed(run, ALONG, upper, overlap, 60)
     for i in (20, 40, 59):
-        exact = force_of_tip(slope / overlaps[i] ** 0.5, cells=80) * overlaps[i] ** 1.5
+        solid = 0 if is_short else overlaps[i]
+        exact = force_of_tip(slope / overlaps[i] ** 0.5, cells=80, overlap=solid) * overlaps[i] ** 1.5
         assert forces[i] == pytest.approx(exact, rel=0.07)
     # mean forces of the first increments are those of a straight line
     assert np.abs(lost[20:]).max() < 0.025
@@ -56,9 +58,8 @@ def test_a_wire_bent_over_a_lap_is_pressed_with_rising_force(run):
     lower = np.linspace((-11 * RADIUS, 0, 0), (half, 0, 0), 25)
     overlaps, forces, _ = pressed(run, lower, upper, 0.024, 48)
     assert np.diff(forces).min() > 0
-    # ends alone on a half-space, all of the lap on solid wires
-    for i, solid in ((15, 0.0), (30, overlaps[30])):
-        exact = force_of_lap(2 / overlaps[i] ** 0.5, 0.024, cells=80, overlap=solid) * overlaps[i] ** 1.5
+    for i in (15, 30):
+        exact = force_of_lap(2 / overlaps[i] ** 0.5, 0.024, cells=80, overlap=overlaps[i]) * overlaps[i] ** 1.5
         assert forces[i] == pytest.approx(exact, rel=0.08)
 
 

@@ -19,7 +19,7 @@ MODULUS = WIRE.young / (1 - WIRE.poisson**2) / 2
 #: E* r^(1/2) [N m^(-3/2)], and sqrt(r delta) [m]
 STIFFNESS, LENGTH = MODULUS * RADIUS**0.5, math.sqrt(RADIUS * OVERLAP)
 #: Slopes of tips, in sqrt(delta/r)
-SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1)
+SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.025)
 #: Lengths of laps, and of one whose wires part by these curvatures [1/r], in sqrt(r delta)
 LAPS, ARCH, BENDS = (2.5, 5.0, 10.0, 20.0), 20.0, (0.01, 0.02, 0.03)
 #: Places of crossings before the end, in sqrt(r delta)
@@ -27,7 +27,7 @@ BEFORE = (0.0, 0.3, 0.6, 1.0)
 #: Angles of crossings [degrees], and their place before the end of one wire or of both; the overlap of these [m]
 ANGLES, ASIDE, SLIGHT = (60, 45, 30, 22), 0.6, 1e-6
 #: Half lengths of lenses [r] at either overlap
-LENSES = (0.3, 0.7, 2.0, 3.0, 4.0)
+LENSES = (0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0)
 
 
 def measure(workspace):
@@ -59,7 +59,9 @@ def measure(workspace):
 def draw(values, path):
     with figures.panels(path) as (tips, laps):
         tips.plot(SLOPES, values["figure"]["tips"], "o", label="litz")
-        tips.plot(SLOPES, [1.133, 1.185, 1.432, 1.803, 2.261], label="boundary elements", **figures.REFERENCE)
+        tips.plot(
+            SLOPES, [1.133, 1.185, 1.612, 2.103, 2.741, 4.697, 8.66], label="boundary elements", **figures.REFERENCE
+        )
         tips.set(xlabel="slope of the tip [(delta/r)^(1/2)]", ylabel="force [E* r^(1/2) delta^(3/2)]", ylim=(0, None))
         tips.legend()
         laps.plot(LAPS, values["figure"]["laps"], "o")
