@@ -16,7 +16,7 @@ module litz_lens_growth
    use litz_contact_turning, only: turning_t
    use litz_cut_lens, only: is_cut
    use litz_law_input, only: wire_pair_t
-   use litz_lens_law, only: lens_t, lens_force, lens_energy, grown_energy, share_of_line, gauss_depth, gauss_weight
+   use litz_lens_law, only: lens_t, lens_force, lens_energy, grown_energy, share_of_line, smooth_step, gauss_depth, gauss_weight
    use litz_line_kinematics, only: sine_at_angle
    use litz_line_law, only: line_wires_t, line_wires
    use litz_normal_law, only: normal_law_t
@@ -28,8 +28,8 @@ module litz_lens_growth
    !> Relative change of the square of the sine of a lens, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
 
-   !> From this number of radii on, up to three times as many, a lens becomes a line whose far field is the section
-   real(dp), parameter :: far = 3
+   !> Half lengths beside the smaller radius between which a lens becomes a line, along which nothing grows any more
+   real(dp), parameter :: grows_up_to = 3, line_from = 9
 
    !> A lens at an angle of the axes.
    type :: turned_lens_t
@@ -88,7 +88,7 @@ contains
       of_growth = (grown(1) - grown(-1))/(2*change)
       point%lacking_torque = of_growth/sine
       point%lacking_torque_of_places = (point%lacking_torque_of_places + of_growth)/sine &
-         *(1 - share_of_line(reach/far))
+         *(1 - smooth_step((reach - grows_up_to)/(line_from - grows_up_to)))
    end subroutine settle_growth
 
    elemental logical function lacks_torque(point)

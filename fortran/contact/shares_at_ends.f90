@@ -73,7 +73,7 @@ contains
       !> Of a crossing
       type(own_t), intent(in) :: own
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: part, parts, of_crossing, of_cylinders, of_ends, length, sine, left, over_sine, of_own
+      real(dp) :: part, parts, of_crossing, of_cylinders, of_ends, length, sine, left, over_sine, section, of_sections
       integer :: i, j
 
       if (.not. allocated(point%legs)) then
@@ -85,7 +85,7 @@ contains
       of_cylinders = 0
       left = 0
       over_sine = 0
-      of_own = 0
+      of_sections = 0
       of_ends = 1
       do i = 1, size(point%legs)
          do j = 1, size(point%legs)
@@ -95,11 +95,15 @@ contains
                of_crossing = 1 - own%line_share
                length = own%length
                sine = own%sine
+               section = point%section_share
                if (any(point%held) .or. .not. is_contact_of(bar, leg)) then
                   of_crossing = 1 - line_share_on(wires, elements, contact, by_place, bar, leg)
+                  length = half_length_on(point, bar, leg, deepest*minval(point%radius))
+                  section = 0
+                  if (.not. law%line_penalty() > 0) section = share_of_line(length/minval(point%radius))
                   ! as far as it is part of a longer overlap, only ends bound that
-                  length = min(half_length_on(point, bar, leg, deepest*minval(point%radius)) &
-                     /max(1 - point%long_share, epsilon(length)), lap_on(wires, elements, point, bar, leg))
+                  length = min(length/max(1 - point%long_share, epsilon(length)), &
+                     lap_on(wires, elements, point, bar, leg))
                   sine = sine_on(law, point, bar, leg)
                end if
                ! equal parts where no cylinder has any, or places carry all
@@ -109,7 +113,7 @@ contains
                part = part*max(of_crossing, tiny_part)
                left = left + part
                over_sine = over_sine + part/sine
-               if (is_contact_of(bar, leg)) of_own = of_own + part
+               of_sections = of_sections + part/sine*section
                of_ends = min(of_ends, share_beside_places(elements, contact%places, [bar%element, leg%element], &
                   of_crossing, length))
             end associate
@@ -119,7 +123,7 @@ contains
       if (.not. point%lens%is_near_joint) return
       point%lens_sine = left/over_sine
       point%lens_share = 1
-      point%section_share = point%section_share*of_own/left
+      point%section_share = of_sections/over_sine
    end subroutine share_on_legs
 
    !> Sine that the law sees of two legs that meet at a joint.

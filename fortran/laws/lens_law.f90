@@ -26,7 +26,7 @@ module litz_lens_law
    !> Beside the smaller radius the half length of a lens is short up to the first value, so that the lens is the far
    !> field and the spot is that of crossed wires; from the second one on it is long, as a line whose far field is the
    !> section of the wires
-   real(dp), parameter :: short_up_to = 0.25_dp, long_from = 1
+   real(dp), parameter :: short_up_to = 0.3_dp, long_from = 1
 
    !> Lens and force; all 0 where the wires do not overlap.
    type :: lens_t
