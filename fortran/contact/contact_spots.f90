@@ -176,7 +176,7 @@ contains
       real(dp), intent(in) :: spot_force
       type(contact_point_t), intent(inout) :: point
       type(contact_spot_t), intent(out) :: spot
-      type(contact_spot_t) :: of_ellipse
+      type(contact_spot_t) :: of_ellipse, strip
 
       if (law%spot%is_per_length) then
          call spot_over_length(law, pair, spot_force, point, spot)
@@ -186,12 +186,26 @@ contains
             call spot_of_crossing(law, pair, spot_force, point, of_ellipse)
             of_ellipse%dconductance_dforce = of_ellipse%dconductance_dforce*point%at_gap%dforce_dgap &
                /slope_of(law, point)
-            spot = between(spot, of_ellipse, share_of_ellipse(law%normal, point))
+            strip = spot
+            spot = between(strip, of_ellipse, share_of_ellipse(law%normal, point))
+            ! metal that is elastic conducts as it gives way, wherever its far field ends
+            if (conducts_as_stiff(law)) then
+               spot%conductance = strip%conductance
+               spot%dconductance_dforce = strip%dconductance_dforce
+               spot%dconductance_dresistivity = strip%dconductance_dresistivity
+            end if
          end if
       else
          call spot_of_crossing(law, pair, spot_force, point, spot)
       end if
    end subroutine find_whole_spot
+
+   !> The conductance is the stiffness of the contact, over the modulus and the resistivity of the wires.
+   pure logical function conducts_as_stiff(law)
+      type(interaction_t), intent(in) :: law
+
+      conducts_as_stiff = law%spot%film_number == 0 .and. law%spot%hardness_number == 0 .and. .not. law%normal%yields()
+   end function conducts_as_stiff
 
    !> Of the largest force of a crossing the spot stays as a whole as far as its lens was short then; as far as that was
    !> long, the strip stays where the wires still touch.

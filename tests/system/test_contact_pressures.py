@@ -47,13 +47,12 @@ def test_a_place_of_a_line_has_that_of_its_strip(run):
 
 
 def test_the_pressure_does_not_jump_where_a_crossing_becomes_a_line(run):
-    # at the same overlap it falls as the lens grows longer; the largest one of all points stands for the contact
+    # lenses of 0.5 to 1.2 radii, whose far field comes to be the section; the largest one of all points stands for the contact
     largest = [
         contacts_of(run(pressed(1e-6, degrees=degrees, cards=(NO_FIELD,))))["pressure"].max()
         for degrees in (8, 6, 5, 4, 3)
     ]
-    assert (np.diff(largest) < 0).all()
-    assert np.abs(np.diff(np.log(largest))).max() < 0.15
+    assert np.abs(np.diff(np.log(largest))).max() < 0.02
 
 
 def test_summary_and_report_have_it_beside_what_metals_bear(run):

@@ -111,8 +111,8 @@ class TestWiresThatYield:
 
     @pytest.mark.parametrize("elements", [9, 160])
     def test_by_the_round_spot_where_the_lens_is_short(self, results_of, elements):
-        """Shorter than a radius: 0.24, 0.53 and 0.75 radii."""
-        overlaps, sine = np.array([2e-7, 1e-6, 2e-6]), 0.12
+        """Shorter than the radius: 0.12, 0.17 and 0.29 radii."""
+        overlaps, sine = np.array([5e-8, 1e-7, 3e-7]), 0.12
         found = self.conductances(results_of, overlaps, sine, elements)
         modulus = hertz.effective_modulus([self.WIRE.young] * 2, [self.WIRE.poisson] * 2)
         one = hertz.crossed_wires(

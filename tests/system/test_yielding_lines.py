@@ -99,16 +99,19 @@ def crossing(overlap, degrees, largest=0.0):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("degrees", "force_within", "conductance_within"), [(8, 0.02, 0.01), (5, 0.03, 0.02)])
+@pytest.mark.parametrize(
+    ("degrees", "part", "force_within", "conductance_within"), [(8, 0.25, 0.02, 0.01), (5, 0.1, 0.03, 0.02)]
+)
 def test_places_along_a_short_lens_have_the_force_and_conductance_of_the_crossing(
-    run, degrees, force_within, conductance_within
+    run, degrees, part, force_within, conductance_within
 ):
     """With elements as short as this the lens is one of many places, up, on the way back, and up again."""
-    process, results = run(wires(*(to(z) for z in COURSE), degrees=degrees, elements=(40, 40)))
+    course = part * np.array(COURSE)
+    process, results = run(wires(*(to(z) for z in course), degrees=degrees, elements=(160, 160)))
     assert process.returncode == 0, process.stderr
     assert (results.contacts["length"] > 0).sum() > 20
     largest = 0.0
-    for step, z in enumerate(COURSE, 1):
+    for step, z in enumerate(course, 1):
         force, conductance = total(results, step)
         exact = crossing(z, degrees, largest)
         largest = max(largest, exact.force)
@@ -222,5 +225,5 @@ def test_a_wire_that_is_dragged_over_a_bend_keeps_its_contact(run, bend, angle):
         forces.append(-results.history["RF3 sum UPPER"][4:])
     coarse, fine = forces
     assert np.all(np.diff(fine) / fine[:-1] > -0.035)
-    assert np.all(np.diff(fine) / fine[:-1] < 0.02)
+    assert np.all(np.diff(fine) / fine[:-1] < 0.025)
     np.testing.assert_allclose(coarse, fine[::2], rtol=0.03)
