@@ -5,7 +5,7 @@ module litz_contact_spots
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_electricity, only: contact_electricity_t
    use litz_contact_history, only: spot_shape_t, force_of_spot
-   use litz_contact_lens, only: angle_of_law
+   use litz_contact_lens, only: angle_of_law, half_length_of, longest
    use litz_contact_points, only: contact_point_t, law_bad_data
    use litz_element_library, only: elements_t
    use litz_law_input, only: wire_pair_t
@@ -18,7 +18,8 @@ module litz_contact_spots
    use litz_normal_law, only: force_of_gap_t
    use litz_place_forces, only: force_along_line
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
-   use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, part_of_spot
+   use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, &
+      overlap_of_spot, part_of_spot
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
    use litz_turned_lenses, only: turned_by
    use litz_wires, only: wires_t
@@ -30,6 +31,8 @@ module litz_contact_spots
 
    !> Change of the angle of a lens over its sine, for differences
    real(dp), parameter :: small_turn = 1.0e-4_dp
+   !> Relative change of an overlap, for differences
+   real(dp), parameter :: small_change = 1.0e-4_dp
 
 contains
 
@@ -151,7 +154,13 @@ contains
       else
          call find_whole_spot(law, pair, spot_force, point, circuit%spot)
          point%law_sine = shape%sine
-         if (.not. circuit%follows > 0) call keep_what_touches(law, pair, spot_force, point, circuit)
+         if (.not. circuit%follows > 0) then
+            if (any(point%held)) then
+               call keep_beside_end(law, pair, spot_force, point, circuit)
+            else
+               call keep_what_touches(law, pair, spot_force, point, circuit)
+            end if
+         end if
       end if
       ! those of the forces
       call take_shape(shape, present, point)
@@ -222,7 +231,7 @@ contains
       real(dp), dimension(2) :: whole_by_resistivity, touching_by_resistivity
       type(contact_spot_t) :: round_spot
 
-      if (any(point%held) .or. .not. (law%spot%serves_lines .or. law%spot%is_per_length)) return
+      if (.not. (law%spot%serves_lines .or. law%spot%is_per_length)) return
       made = lens_of_spot(law, pair, as_it_was(law, pair, point), spot_force)
       long = share_of_line(made%half_length/minval(pair%radius))
       if (.not. (law%normal%serves_lines() .and. long > 0)) return
@@ -249,6 +258,52 @@ contains
          circuit%dconductance = circuit%dconductance_dgap*point%kinematics%dgap
       end associate
    end subroutine keep_what_touches
+
+   !> The same of the contact of an end, whose overlap is a wedge: as far as the wires no longer touch, the spot is that
+   !> of the present force.
+   pure subroutine keep_beside_end(law, pair, spot_force, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      !> The largest one [N]
+      real(dp), intent(in) :: spot_force
+      type(contact_point_t), intent(inout) :: point
+      !> In: with the whole spot
+      type(spot_in_circuit_t), intent(inout) :: circuit
+      real(dp) :: overlap, made, now, slope, long, left, made_conductance
+      type(contact_spot_t) :: present
+
+      if (any(point%held .and. .not. point%at_end) .or. .not. law%normal%serves_lines()) return
+      if (.not. (law%spot%serves_lines .or. law%spot%is_per_length)) return
+      overlap = overlap_of_spot(law, pair, point, spot_force)
+      if (.not. (point%gap < 0 .and. overlap > -point%gap)) return
+      made = length_at(overlap)
+      now = length_at(-point%gap)
+      slope = (length_at(-point%gap*(1 + small_change)) - length_at(-point%gap*(1 - small_change))) &
+         /(-2*small_change*point%gap)
+      long = share_of_line(made/minval(pair%radius))
+      left = 1 - long + long*now/made
+      if (.not. left < 1) return
+      call find_whole_spot(law, pair, force_along_line(point)/point%weight, point, present)
+      made_conductance = circuit%spot%conductance
+      circuit%spot = between(present, circuit%spot, left)
+      circuit%dconductance_dgap = (1 - left)*present%dconductance_dforce*point%at_gap%dforce_dgap/point%weight &
+         - (made_conductance - present%conductance)*long*slope/made
+      circuit%dconductance = circuit%dconductance_dgap*point%kinematics%dgap
+
+   contains
+
+      !> How far the wires touch, along a lap as far as lengths are told [m].
+      pure real(dp) function length_at(overlap)
+         !> [m]
+         real(dp), intent(in) :: overlap
+         type(contact_point_t) :: deeper
+
+         deeper = point
+         deeper%gap = -overlap
+         length_at = min(half_length_of(deeper, overlap), longest*minval(point%radius))
+      end function length_at
+
+   end subroutine keep_beside_end
 
    !> Conductance along a lens, and its derivative with respect to the gap.
    pure subroutine spot_along_lens(law, pair, lens, point, conductance, by_resistivity, half_width)

@@ -23,7 +23,8 @@ module litz_spot_memory
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: follow_spots, leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, part_of_spot
+   public :: follow_spots, leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, overlap_of_spot, &
+      part_of_spot
 
 contains
 
