@@ -19,7 +19,7 @@ module litz_contact_heat_term
    use litz_hot_places, only: beyond_table, beyond_table_inside
    use litz_model, only: step_t
    use litz_property_table, only: property_at
-   use litz_rubbing, only: rubbing_t, is_abrupt, add_friction_heat
+   use litz_rubbing, only: rubbing_t, is_abrupt, add_heat_beyond
    use litz_settled_heats, only: settled_heat
    use litz_shared_conductors, only: shared_conductors_t
    use litz_spots_of_given_temperatures, only: find_hottest
@@ -149,7 +149,7 @@ contains
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
       ! the contacts have the rate of this increment
-      call add_friction_heat(rubbing, domain%model%connectivity, domain%heat_weights - [1, 0], 1/self%rate, &
+      call add_heat_beyond(rubbing, domain%model%connectivity, domain%is_led, domain%heat_weights, 1/self%rate, &
          domain%forces%internal(temperature_slots(1), :), self%of_friction, self%through_film)
    end subroutine add_friction
 

@@ -77,8 +77,8 @@ module litz_heated_contacts
       !> A wire whose conductivity goes with the temperature is at absolute zero or below
       logical :: is_cold = .false.
       real(dp) :: friction_heat = 0
-      !> What BDF2 gives to the nodes beyond that [W]; and both over the work of this increment [1/s]
-      real(dp) :: friction_beyond = 0, of_work(2) = 0
+      !> What BDF2 gives to the nodes beyond that (4) [W]; and both over the work of this increment, (4) [1/s]
+      real(dp) :: friction_beyond(4) = 0, of_work = 0, beyond_of_work(4) = 0
       !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
       real(dp) :: dpath(2, 2) = 0
    contains
@@ -159,12 +159,9 @@ contains
             if (rate > 0) heated%reached(:, side) = part_reached(rate*time_constant(domain, heated%element(side)))
          end do
          if (rate > 0) heated%settled_heat = point%history%settled_heat
-         associate (work => point%friction%dissipation, weights => domain%heat_weights)
-            heated%of_work = law%heat%friction_fraction*rate*[1.0_dp, weights(1) - 1]
-            heated%friction_heat = heated%of_work(1)*work
-            heated%friction_beyond = heated%of_work(2)*work &
-               - heated%of_work(1)*weights(2)*point%history%last_dissipation
-         end associate
+         heated%of_work = law%heat%friction_fraction*rate
+         heated%friction_heat = heated%of_work*point%friction%dissipation
+         if (rate > 0) call add_beyond(domain, point, heated)
          heated%is_passed = law%heat%exists() .or. heated%conductance > 0
          if (.not. heated%is_passed) return
          pair = wires_of(domain%model, domain%elements, point)
@@ -187,6 +184,22 @@ contains
          end do
       end associate
    end function heated_contact
+
+   !> What BDF2 gives to the nodes of the heat of friction, beyond backward Euler.
+   pure subroutine add_beyond(domain, point, heated)
+      type(domain_t), intent(in) :: domain
+      type(contact_point_t), intent(in) :: point
+      type(heated_contact_t), intent(inout) :: heated
+      real(dp) :: weights(2)
+      integer :: i
+
+      do i = 1, 4
+         weights = domain%heat_weights_at(heated%nodes(i)) - [1, 0]
+         heated%beyond_of_work(i) = heated%of_work*weights(1)
+         heated%friction_beyond(i) = heated%beyond_of_work(i)*point%friction%dissipation &
+            - heated%of_work*weights(2)*point%history%last_dissipation
+      end do
+   end subroutine add_beyond
 
    !> What the place in an element does between its nodes.
    subroutine place_in_film(domain, side, heated)

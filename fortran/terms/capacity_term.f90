@@ -38,8 +38,6 @@ module litz_capacity_term
       logical :: is_at_work = .false.
       !> [s]
       real(dp) :: increment = 1
-      !> Temperatures that are prescribed, or joined with such by equations (n_nodes)
-      logical, allocatable :: is_led(:)
       !> Temperatures when the increment began (n_nodes) [K]
       real(dp), allocatable :: at_start(:)
       !> What the elements take up, and what of it their films take between the nodes (n_elements) [W]
@@ -77,7 +75,7 @@ contains
 
       self%is_at_work = step%transient
       self%increment = increment
-      if (step%transient) self%is_led = led_nodes(domain)
+      if (step%transient) domain%is_led = led_nodes(domain)
       domain%heat_weights = [1, 0]
       associate (before => domain%state%time_increment)
          if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then
@@ -157,10 +155,7 @@ contains
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
          node => domain%model%connectivity(:, e), state => domain%state)
-         weights = spread(domain%heat_weights, 2, 2)
-         do i = 1, 2
-            if (self%is_led(node(i))) weights(:, i) = [1, 0]
-         end do
+         weights = reshape([(domain%heat_weights_at(node(i)), i=1, 2)], [2, 2])
          associate (material => domain%model%materials(section%material))
             call heat_capacity(domain%iterate%value(slot, node), state%value(slot, node), &
                state%temperature_before(node), weights, &

@@ -54,8 +54,10 @@ module litz_domain
       !> increment (n_elements) [W/(m K)], [K]
       real(dp), allocatable :: film(:), sink(:)
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
-      !> Euler, or BDF2
+      !> Euler, or BDF2; and nodes that have backward Euler in any case, as their temperatures are prescribed, or joined
+      !> with such by equations (n_nodes)
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
+      logical, allocatable :: is_led(:)
       !> Elements with superconducting filaments
       type(superconductors_t) :: superconductors
       !> Friction on rigid surfaces, by the motions that were evaluated last
@@ -79,6 +81,7 @@ module litz_domain
       procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
+      procedure :: heat_weights_at
       procedure :: mechanical_temperature
       procedure :: resistivity
       procedure :: share_of_nodes
@@ -125,6 +128,17 @@ contains
 
       mean_temperature = sum(self%iterate%value(temperature_slots(1), self%model%connectivity(:, element)))/2
    end function mean_temperature
+
+   !> Weights of a node in steps over time.
+   pure function heat_weights_at(self, node) result(weights)
+      class(domain_t), intent(in) :: self
+      !> Index of the node
+      integer, intent(in) :: node
+      real(dp) :: weights(2)
+
+      weights = self%heat_weights
+      if (self%is_led(node)) weights = [1, 0]
+   end function heat_weights_at
 
    !> Temperatures that strains, radii, gaps and elasticities see: those of the iterate when motions began to take their
    !> turn, or where motions are held those of the last increment that solved for motions (n_nodes) [K]. Their lag then

@@ -119,6 +119,16 @@ class TestError:
         assert warning.kind == "first_increment"
         error = (ROOM - AROUND) * (1 / 2 - np.exp(-1))
         assert error < warning.worst < 1.2 * error
+        assert "come to rest" in warning.message
+        assert "change evenly are exact" in warning.message
+
+    def test_a_single_increment_is_one_of_more_than_error(self, run):
+        """Of a rise of half a kelvin: 0.15 K, where a thousandth of the temperature would be 0.3 K."""
+        rate = 20.0**2 * 1.72e-8 / (np.pi * RADIUS**2) ** 2 / (DENSITY * HEAT)
+        for error, n in ((0.1, 1), (0.2, 0)):
+            results = run(f"{0.5 / rate:.17g}, {0.5 / rate:.17g}", elements=2, amperes=20.0, procedure=f"{ELECTRICAL}, ERROR={error}")
+            assert len(results.warnings) == n
+            assert results.field("temperature")[0] - ROOM == pytest.approx(0.5, rel=1e-9)
 
     @pytest.mark.slow
     def test_a_run_that_melts_and_freezes_goes_on_from_every_increment(self, litz, tmp_path):

@@ -824,6 +824,10 @@ contains
       do trial = 1, 3
          call compare(name//' after an increment with it', problem, tolerance, 0.1_dp, warmer=1.0_dp)
       end do
+      problem%is_led(::2) = .true.
+      do trial = 1, 3
+         call compare(name//', some temperatures led', problem, tolerance, 0.1_dp, warmer=1.0_dp)
+      end do
    end subroutine check_heat_of_friction
 
    !> Three wires that cross one element of another one, which moves.
