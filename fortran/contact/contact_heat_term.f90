@@ -462,13 +462,15 @@ contains
 
       if (.not. allocated(self%heat)) return
       associate (state => domain%state, heat => self%heat)
+         state%heat_made = state%heat_made + self%of_friction
+         state%surface_heat = state%surface_heat + self%through_film
+         ! an iterate that was given up
+         if (.not. heat%is_solved) return
          do k = 1, size(heat%elements)
             associate (made => state%heat_made(heat%ends%element(k)))
                made = made + heat%between_contacts(k)
             end associate
          end do
-         state%heat_made = state%heat_made + self%of_friction
-         state%surface_heat = state%surface_heat + self%through_film
       end associate
       call remember_heat(self)
    end subroutine accept
@@ -478,7 +480,6 @@ contains
       class(contact_heat_term_t), intent(inout) :: self
       integer :: i
 
-      if (.not. self%heat%is_solved) return
       associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
          do i = 1, size(a)
             set%points(a(i))%history%settled_heat = settled_heat(heat, number_of_point(self, i))

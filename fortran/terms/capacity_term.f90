@@ -22,6 +22,9 @@ module litz_capacity_term
    !> 1 + sqrt(2)
    real(dp), parameter :: largest_growth = 2.4_dp
 
+   !> An increment is the smallest one to this part of itself
+   real(dp), parameter :: tight = 1.0e-6_dp
+
    integer, parameter :: slot = temperature_slots(1)
 
    !> Changes of phase of a material.
@@ -204,7 +207,8 @@ contains
       end do
    end subroutine shorten
 
-   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment.
+   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment; with the smallest
+   !> one that is allowed what sets in at once may have more, and the ratio is 1.
    subroutine bearable_increment(self, domain, step, ratio, reason)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -222,7 +226,10 @@ contains
          change = maxval(abs(domain%iterate%change(slot, :)), is_free)
          if (step%largest_change > 0 .and. change > step%largest_change/huge(ratio)) ratio = step%largest_change/change
          if (ratio < 1) reason = 'a temperature changes by more than DELTMX='//to_text(step%largest_change)
-         if (step%largest_error > 0) ratio = min(ratio, ratio_of_errors(self, domain, step%largest_error, is_free))
+         if (step%largest_error > 0 .and. .not. ratio < 1) then
+            ratio = min(ratio, ratio_of_errors(self, domain, step%largest_error, is_free))
+            if (self%increment <= step%smallest*(1 + tight)) ratio = max(ratio, 1.0_dp)
+         end if
       end associate
    end subroutine bearable_increment
 

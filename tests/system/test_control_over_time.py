@@ -130,6 +130,32 @@ class TestError:
             assert len(results.warnings) == n
             assert results.field("temperature")[0] - ROOM == pytest.approx(0.5, rel=1e-9)
 
+    @pytest.mark.parametrize("error", [1.0, 0.1, 0.01])
+    def test_what_sets_in_after_a_long_quiet_time_keeps_it(self, run, error):
+        """A power that rises from nothing within 3 ms, after increments a hundred times as long: the integral of it. Within an
+        increment it may set in at any time, half of what it makes."""
+        rate, rise = 3000.0, 3e-3
+        heat = f"*DFLUX, AMPLITUDE=SETS_IN\nWIRE, BF, {rate * DENSITY * HEAT:.17g}\n"
+        results = run("1e-5, 1.02", elements=2, amperes=0.0, heat=heat, procedure=f"{ELECTRICAL}, ERROR={error}",
+                      model=f"*AMPLITUDE, NAME=SETS_IN\n0, 0, 1, 0, {1 + rise}, 1, 2, 1\n")  # fmt: skip
+        late = results.times - 1
+        exact = rate * np.where(late < rise, np.maximum(late, 0) ** 2 / (2 * rise), late - rise / 2)
+        errors = results.field("temperature", increment=None)[:, 0] - ROOM - exact
+        assert np.diff(results.times)[results.times[1:] < 1].max() > 0.1
+        assert np.abs(np.diff(errors)).max() < 2 * error
+        assert not results.warnings
+
+    def test_an_increment_that_may_not_be_smaller_is_taken_with_a_warning(self, run):
+        rate = 1e6
+        heat = f"*DFLUX, AMPLITUDE=SETS_IN\nWIRE, BF, {rate * DENSITY * HEAT:.17g}\n"
+        results = run("1e-5, 1.0001, 1e-5", elements=2, amperes=0.0, heat=heat, procedure=f"{ELECTRICAL}, ERROR=0.01",
+                      model="*AMPLITUDE, NAME=SETS_IN\n0, 0, 1, 0, 1.00005, 1, 2, 1\n")  # fmt: skip
+        (warning,) = results.warnings
+        assert warning.kind == "smallest_increment"
+        assert warning.worst == pytest.approx(1e-5, rel=1e-6)
+        assert "ERROR=0.01" in warning.message
+        assert results.times[-1] == pytest.approx(1.0001)
+
     @pytest.mark.slow
     def test_a_run_that_melts_and_freezes_goes_on_from_every_increment(self, litz, tmp_path):
         freezes = f"{ELECTRICAL}, ERROR=0.2\n, 0.3, 1e-6\n*CECURRENT\n1, , 20\n*FILM\nWIRE, F, 250, 5000\n"
