@@ -13,12 +13,13 @@ module litz_contact_heat_term
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_beside_contacts, only: find_heat_beside, normals_of
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
-   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals, contact_rows
+   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
    use litz_hot_places, only: beyond_table, beyond_table_inside
    use litz_model, only: step_t
    use litz_property_table, only: property_at
+   use litz_rows_of_contacts, only: contact_rows
    use litz_rubbing, only: rubbing_t, is_abrupt, add_heat_beyond
    use litz_settled_heats, only: settled_heat
    use litz_shared_conductors, only: shared_conductors_t
@@ -163,7 +164,8 @@ contains
 
       if (.not. (domain%loading%solves(field_temperature) .and. self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
-      if (.not. is_abrupt(rubbing, 1/self%rate, domain%state%time_increment)) return
+      if (.not. is_abrupt(rubbing, 1/self%rate, domain%state%time_increment, domain%fastest_warming(1/self%rate))) &
+         return
       domain%heat_weights = [1, 0]
       has_moved = .true.
    end subroutine settle

@@ -138,7 +138,8 @@ contains
       logical, intent(inout) :: has_moved
 
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0 .and. allocated(domain%surface_rubbing))) return
-      if (.not. is_abrupt(domain%surface_rubbing, 1/self%rate, domain%state%time_increment)) return
+      if (.not. is_abrupt(domain%surface_rubbing, 1/self%rate, domain%state%time_increment, &
+         domain%fastest_warming(1/self%rate))) return
       domain%heat_weights = [1, 0]
       has_moved = .true.
    end subroutine settle

@@ -16,7 +16,7 @@ module litz_rubbing
    public :: rubbing_t, is_abrupt, add_heat_beyond, power_of
 
    !> The rate at a contact has jumped when it changes by this part of the larger one; contacts of less than this part
-   !> of all heat do not count
+   !> of all heat of friction, or that warm half an element at less than this part of the fastest rate, do not count
    real(dp), parameter :: largest_change = 0.5_dp, least_part = 0.01_dp
 
    !> A contact that has friction in this increment or had it in the last one.
@@ -30,6 +30,8 @@ module litz_rubbing
       real(dp) :: share(2) = 0.5_dp
       !> Heat that friction makes in this increment and made in the last one [J]
       real(dp) :: heat = 0, heat_before = 0
+      !> Heat that half of either element takes up per kelvin [J/K]
+      real(dp) :: capacity(2) = 0
       !> Node of a rigid surface with a temperature, and the one that moves the surface; 0: none
       integer :: node = 0, mover = 0
       !> How the heat of this increment on a rigid surface changes with the motions of the nodes of the wire and of the
@@ -40,16 +42,30 @@ module litz_rubbing
 contains
 
    !> Friction sets in or ends at a contact that matters.
-   pure logical function is_abrupt(rubbing, increment, before)
+   pure logical function is_abrupt(rubbing, increment, before, warming)
       type(rubbing_t), intent(in) :: rubbing(:)
       !> This increment and the last one [s]
       real(dp), intent(in) :: increment, before
+      !> By which any temperature changes, at most [K/s]
+      real(dp), intent(in) :: warming
       real(dp), dimension(size(rubbing)) :: now, earlier
+      integer :: i
 
       now = rubbing%heat/increment
       earlier = rubbing%heat_before/before
       is_abrupt = any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
-         least_part*sum(max(now, earlier)))
+         least_part*sum(max(now, earlier)) .and. [(matters(rubbing(i), abs(now(i) - earlier(i))), i=1, size(now))])
+
+   contains
+
+      pure logical function matters(this, jump)
+         type(rubbing_t), intent(in) :: this
+         !> Of the rate [W]
+         real(dp), intent(in) :: jump
+
+         matters = any(this%share*jump > least_part*warming*this%capacity .and. this%element > 0)
+      end function matters
+
    end function is_abrupt
 
    !> (1) [W].
