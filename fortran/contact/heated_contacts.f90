@@ -66,6 +66,8 @@ module litz_heated_contacts
       real(dp) :: reached(2, 2) = 1, settled_heat(2, 2) = 0
       !> Resistances of both constrictions and of what is between them [ohm]
       real(dp) :: resistance(2) = 0, film_resistance = 0
+      !> Of a film to heat [K/W]; 0: none
+      real(dp) :: heat_film = 0
       !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
       real(dp) :: dresistance(2, 2) = 0, dseries(2) = 0
       type(spot_path_t) :: path
@@ -178,11 +180,12 @@ contains
             heated%is_passed = heated%heat_shape(1) > 0
             if (.not. heated%is_passed) return
          end if
+         if (law%heat%film > 0) heated%heat_film = film_to_heat(domain, law, point, pair, heated)
          heated%is_metal = law%heat%number == heat_metal_law .and. heated%conductance > 0
          heated%lorenz = law%heat%lorenz
          heated%is_hot = law%supertemperature .and. heated%shape(1) > 0 .and. .not. heated%is_given
          if (heated%is_hot) heated%constrictions = constrictions_t(heated%shape, heated%film_resistance, &
-            is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
+            heated%heat_film, is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
          do side = 1, 2
             heated%is_cold = heated%is_cold .or. heated%is_metal .and. heated%linear_temperature(side, &
                domain%iterate%value(temperature_slots(1), heated%nodes(2*side - 1:2*side))) &
@@ -289,7 +292,7 @@ contains
       end if
       if (.not. self%heat_shape(1) > 0) return
       if (self%is_given) self%heat_shape = shape
-      self%path = spot_path_t(is_metal=.false., conductance=lambda/self%heat_shape)
+      self%path = spot_path_t(is_metal=.false., conductance=lambda/self%heat_shape, film=self%heat_film)
       self%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) - spread(dshape, 1, 2)
       if (self%is_metal) call follow_wiedemann_franz(self%lorenz, temperature - absolute_zero, self)
    end subroutine warm
@@ -378,21 +381,12 @@ contains
       real(dp), intent(out), optional :: row(:)
       real(dp) :: shape(2)
       type(interaction_t) :: elastic
-      type(wire_pair_t) :: thermal_pair
-      real(dp) :: conductance, conductivity, slope
-      integer :: side
+      real(dp) :: conductance
 
       elastic = law
       elastic%spot = spot_law('HERTZ')
       elastic%spot_memory = .false.
-      thermal_pair = pair
-      do side = 1, 2
-         call conductivity_of(domain, heated%element(side), domain%mean_temperature(heated%element(side)), &
-            conductivity, slope)
-         thermal_pair%resistivity(side) = 1/conductivity
-      end do
-      thermal_pair%dresistivity = 0
-      conductance = spot_conductance(domain, elastic, point, thermal_pair, row, shape)
+      conductance = spot_conductance(domain, elastic, point, thermal_pair(domain, pair, heated), row, shape)
       if (.not. conductance > 0) then
          shape = 0
          return
@@ -400,6 +394,43 @@ contains
       shape = -shape/conductance**2
       if (present(row)) row = row/conductance
    end function elastic_shape
+
+   !> Resistance to heat of a film over the spot of elastic wires, or of their dent [K/W].
+   real(dp) function film_to_heat(domain, law, point, pair, heated) result(resistance)
+      type(domain_t), intent(in) :: domain
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(in) :: heated
+      type(interaction_t) :: filmed
+      type(wire_pair_t) :: wires
+      real(dp) :: shape(2)
+
+      filmed = law
+      filmed%spot = spot_law('FILM')
+      filmed%spot%data(1) = law%heat%film
+      filmed%spot_memory = .false.
+      shape = elastic_shape(domain, law, point, pair, heated)
+      wires = thermal_pair(domain, pair, heated)
+      resistance = 1/spot_conductance(domain, filmed, point, wires) - sum(shape*wires%resistivity)
+   end function film_to_heat
+
+   !> Wires whose resistivities are those to heat.
+   type(wire_pair_t) function thermal_pair(domain, pair, heated) result(thermal)
+      type(domain_t), intent(in) :: domain
+      type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(in) :: heated
+      real(dp) :: conductivity, slope
+      integer :: side
+
+      thermal = pair
+      do side = 1, 2
+         call conductivity_of(domain, heated%element(side), domain%mean_temperature(heated%element(side)), &
+            conductivity, slope)
+         thermal%resistivity(side) = 1/conductivity
+      end do
+      thermal%dresistivity = 0
+   end function thermal_pair
 
    !> Heat conductance that is given [W/K].
    real(dp) function given_conductance(domain, law, point, pair, row) result(conductance)

@@ -330,6 +330,8 @@ class GapConductance(_Law):
         A spot that melts is a warning, too.
     per_length : bool
         The heat conductance, and the force of TABLE, are per length of wires that touch along lines and on rigid surfaces.
+    film : float, optional
+        Resistance to heat of a film in the spot, times area, of CONDUCTIVITY and METAL [K m^2/W].
     """
 
     law: str = "CONDUCTIVITY"
@@ -339,6 +341,7 @@ class GapConductance(_Law):
     melting: float | None = None
     may_melt: bool = False
     per_length: bool = False
+    film: float | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -348,7 +351,7 @@ class GapConductance(_Law):
     def card(self) -> CardSpec:
         """The card of the law."""
         per = "LENGTH" if self.per_length else None
-        given = {"LORENZ": self.lorenz, "TSOFT": self.softening, "TMELT": self.melting, "PER": per}
+        given = {"LORENZ": self.lorenz, "FILM": self.film, "TSOFT": self.softening, "TMELT": self.melting, "PER": per}
         parameters = {"LAW": self.law.upper(), **{name: value for name, value in given.items() if value is not None}}
         if self.may_melt:
             parameters["MELTING"] = "WARN"
