@@ -369,8 +369,8 @@ contains
       end do
    end subroutine follow_wiedemann_franz
 
-   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities; 0 without
-   !> a force [1/m].
+   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities; 0: no
+   !> force [1/m].
    function elastic_shape(domain, law, point, pair, heated, row) result(shape)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law

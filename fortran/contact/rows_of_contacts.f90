@@ -1,5 +1,5 @@
-!> How the heat through a contact of two wires changes with motions, and with temperatures that its mechanics sees, where
-!> these are in the same Newton step. Source: theory section 13.
+!> How the heat through a contact of two wires changes with motions, and with temperatures that its mechanics sees,
+!> where these are in the same Newton step. Source: theory section 13.
 module litz_rows_of_contacts
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions

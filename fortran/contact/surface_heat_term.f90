@@ -138,8 +138,9 @@ contains
       logical, intent(inout) :: has_moved
 
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0 .and. allocated(domain%surface_rubbing))) return
-      if (.not. is_abrupt(domain%surface_rubbing, 1/self%rate, domain%state%time_increment, &
-         domain%fastest_warming(1/self%rate))) return
+      associate (increment => 1/self%rate, rubbing => domain%surface_rubbing)
+         if (.not. is_abrupt(rubbing, increment, domain%state%time_increment, domain%fastest_warming(increment))) return
+      end associate
       domain%heat_weights = [1, 0]
       has_moved = .true.
    end subroutine settle

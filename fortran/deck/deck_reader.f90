@@ -289,9 +289,10 @@ contains
                if (.not. (heat%has_softening .or. heat%has_melting)) cycle
             end associate
             if (all_conduct_heat(pair%set_bar) .and. all_conduct_heat(pair%set)) cycle
-            call warn(self, warnings, card, 'unwatched_spots', 'TSOFT and TMELT are held against the temperatures of'// &
-               ' the wires, not of what a current makes of the spot, where a material has no *CONDUCTIVITY: elements'// &
-               ' of '//model%element_sets(merge(pair%set_bar, pair%set, .not. all_conduct_heat(pair%set_bar)))%name)
+            call warn(self, warnings, card, 'unwatched_spots', 'TSOFT and TMELT are held against the temperatures'// &
+               ' of the wires, not of what a current makes of the spot, where a material has no *CONDUCTIVITY:'// &
+               ' elements of '//model%element_sets(merge(pair%set, pair%set_bar, &
+               all_conduct_heat(pair%set_bar)))%name)
             return
          end associate
       end do

@@ -170,9 +170,9 @@ contains
             if (.not. allowed > 0) allowed = least_share*maxval(abs(state%value(slot, :) - problem%model%absolute_zero))
             error = maxval([0.0_dp, largest_part*abs(change(:, 1))], [.true., is_free])
             if (error > allowed) call problem%warnings%add('first_increment', 'the step over time is a single'// &
-               ' increment, which tells nothing of its error: temperatures that come to rest within it may be off by'// &
-               ' 30 % of their change, '//to_text(error)//label//' of the largest one, those that change evenly are'// &
-               ' exact; increments (first value of the procedure), or a small first one with ERROR=, tell', &
+               ' increment, which tells nothing of its error: temperatures that come to rest within it may be off'// &
+               ' by 30 % of their change, '//to_text(error)//label//' of the largest one, those that change evenly'// &
+               ' are exact; increments (first value of the procedure), or a small first one with ERROR=, tell', &
                value=error, unit=trim(adjustl(label)))
             return
          end if

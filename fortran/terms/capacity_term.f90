@@ -207,8 +207,8 @@ contains
       end do
    end subroutine shorten
 
-   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment; with the smallest
-   !> one that is allowed what sets in at once may have more, and the ratio is 1.
+   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment; with the
+   !> smallest one that is allowed what sets in at once may have more, and the ratio is 1.
    subroutine bearable_increment(self, domain, step, ratio, reason)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain

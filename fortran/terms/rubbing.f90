@@ -79,8 +79,8 @@ contains
       power = (weights(1)*rubbing%heat - weights(2)*rubbing%heat_before)/increment
    end function power_of
 
-   !> What the nodes get of (1) beyond backward Euler; `made` is the same by elements, with what their films take between
-   !> the nodes.
+   !> What the nodes get of (1) beyond backward Euler; `made` is the same by elements, with what their films take
+   !> between the nodes.
    pure subroutine add_heat_beyond(rubbing, connectivity, is_led, weights, increment, leaving, made, through_film)
       type(rubbing_t), intent(in) :: rubbing(:)
       !> Nodes of the elements (2, n_elements)

@@ -123,10 +123,10 @@ def test_a_wire_that_swells_on_a_rigid_surface_is_one_that_is_pressed_as_much(ru
     warm = solved(run(text)).surface_contacts
     overlap = RADIUS * ALPHA * (90 - 20)
     assert "*TEMPERATURE\nALL, 90" in text
-    pressed = solved(run(text.replace("*TEMPERATURE\nALL, 90", f"*BOUNDARY\nALL, 3, 3, {-overlap:.17g}"), name="pressed"))
-    forces = [
-        found["force"][found["time"] == found["time"].max()].sum() for found in (warm, pressed.surface_contacts)
-    ]
+    pressed = solved(
+        run(text.replace("*TEMPERATURE\nALL, 90", f"*BOUNDARY\nALL, 3, 3, {-overlap:.17g}"), name="pressed")
+    )
+    forces = [found["force"][found["time"] == found["time"].max()].sum() for found in (warm, pressed.surface_contacts)]
     assert forces[0] > 1
     assert forces[0] == pytest.approx(forces[1], rel=1e-10 if shape == "plane" else 1e-4)
 

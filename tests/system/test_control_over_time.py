@@ -126,7 +126,12 @@ class TestError:
         """Of a rise of half a kelvin: 0.15 K, where a thousandth of the temperature would be 0.3 K."""
         rate = 20.0**2 * 1.72e-8 / (np.pi * RADIUS**2) ** 2 / (DENSITY * HEAT)
         for error, n in ((0.1, 1), (0.2, 0)):
-            results = run(f"{0.5 / rate:.17g}, {0.5 / rate:.17g}", elements=2, amperes=20.0, procedure=f"{ELECTRICAL}, ERROR={error}")
+            results = run(
+                f"{0.5 / rate:.17g}, {0.5 / rate:.17g}",
+                elements=2,
+                amperes=20.0,
+                procedure=f"{ELECTRICAL}, ERROR={error}",
+            )
             assert len(results.warnings) == n
             assert results.field("temperature")[0] - ROOM == pytest.approx(0.5, rel=1e-9)
 

@@ -3,15 +3,17 @@
 import numpy as np
 import pytest
 
-from litz import Results
 from crossing_conductors import LAMBDA, METAL, ROOM, crossing
 from decks import straight, wire
+from litz import Results
 from run_of_deck import refusal_of_deck, run_of_deck
 
 FILM, HOT = 1e-7, 400.0
 
 
-def deck(*, law="CONDUCTIVITY", film=f", FILM={FILM}", volts=0.0, hot=HOT, place=0.0, procedure="*COUPLED THERMAL-ELECTRICAL"):
+def deck(
+    *, law="CONDUCTIVITY", film=f", FILM={FILM}", volts=0.0, hot=HOT, place=0.0, procedure="*COUPLED THERMAL-ELECTRICAL"
+):
     """Crossed copper wires, the ends of the second one at another temperature, perhaps with a voltage between them."""
     law = f"{METAL}{film}" if law == "METAL" else f"*GAP CONDUCTANCE, LAW={law}{film}"
     text = crossing(2, "5.88e7", "1, 1", load=f"1001, 9, 9, {volts}\n1001, 11, 11, {hot}\n1003, 11, 11, {hot}\n", law=law,

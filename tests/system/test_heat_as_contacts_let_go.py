@@ -46,7 +46,9 @@ def test_metal_that_has_yielded_lets_go_as_at_given_temperatures(run):
     expected = forces(run(steps=[given.format(t) for t in (450, 320)], behavior=", YIELD=3e8"))
     assert max(expected) > 100
     assert expected[-1] == 0
-    assert forces(run(steps=[solved.format(t) for t in (450, 320)], behavior=", YIELD=3e8")) == pytest.approx(expected, rel=1e-9)
+    assert forces(run(steps=[solved.format(t) for t in (450, 320)], behavior=", YIELD=3e8")) == pytest.approx(
+        expected, rel=1e-9
+    )
 
 
 def test_an_iterate_without_a_solution_is_left_as_the_run_ends(refused, tmp_path):

@@ -318,8 +318,7 @@ class GapConductance(_Law):
     Attributes
     ----------
     law : {"CONDUCTIVITY", "METAL", "CONSTANT", "TABLE"}
-        `LAW` of `*GAP CONDUCTANCE`: by the heat conductivities of the wires, the same of Wiedemann-Franz metals, a given
-        heat conductance, or one over the contact force.
+        By the heat conductivities of the wires, the same of Wiedemann-Franz metals, given, or given over the contact force.
     data : sequence of sequences of float
         The heat conductance of CONSTANT ``[[h]]`` [W/K], or the lines ``[F, h]`` of TABLE [N, W/K].
     lorenz : float, optional
@@ -350,12 +349,10 @@ class GapConductance(_Law):
 
     def card(self) -> CardSpec:
         """The card of the law."""
-        per = "LENGTH" if self.per_length else None
-        given = {"LORENZ": self.lorenz, "FILM": self.film, "TSOFT": self.softening, "TMELT": self.melting, "PER": per}
-        parameters = {"LAW": self.law.upper(), **{name: value for name, value in given.items() if value is not None}}
-        if self.may_melt:
-            parameters["MELTING"] = "WARN"
-        return "GAP CONDUCTANCE", parameters, [list(row) for row in self.data]
+        numbers = {"LORENZ": self.lorenz, "FILM": self.film, "TSOFT": self.softening, "TMELT": self.melting}
+        words = {"PER": "LENGTH" if self.per_length else None, "MELTING": "WARN" if self.may_melt else None}
+        given = {name: value for name, value in (numbers | words).items() if value is not None}
+        return "GAP CONDUCTANCE", {"LAW": self.law.upper(), **given}, [list(row) for row in self.data]
 
 
 # Friction
