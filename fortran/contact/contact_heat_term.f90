@@ -13,13 +13,14 @@ module litz_contact_heat_term
    use litz_contact_heat_tangent, only: own_tangent, multiply_heat
    use litz_heat_beside_contacts, only: find_heat_beside, normals_of
    use litz_heat_of_contacts, only: contact_heat_t, collect_heat
-   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals, contact_rows
+   use litz_heated_contacts, only: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
    use litz_heat_within, only: slow_and_fast
    use litz_heated_elements, only: heated_element_t, add_at_nodes
    use litz_hot_places, only: beyond_table, beyond_table_inside
    use litz_model, only: step_t
    use litz_property_table, only: property_at
-   use litz_rubbing, only: rubbing_t, is_abrupt, add_friction_heat
+   use litz_rows_of_contacts, only: contact_rows
+   use litz_rubbing, only: rubbing_t, is_abrupt, add_heat_beyond
    use litz_settled_heats, only: settled_heat
    use litz_shared_conductors, only: shared_conductors_t
    use litz_spots_of_given_temperatures, only: find_hottest
@@ -149,7 +150,7 @@ contains
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
       ! the contacts have the rate of this increment
-      call add_friction_heat(rubbing, domain%model%connectivity, domain%heat_weights - [1, 0], 1/self%rate, &
+      call add_heat_beyond(rubbing, domain%model%connectivity, domain%is_led, domain%heat_weights, 1/self%rate, &
          domain%forces%internal(temperature_slots(1), :), self%of_friction, self%through_film)
    end subroutine add_friction
 
@@ -163,7 +164,9 @@ contains
 
       if (.not. (domain%loading%solves(field_temperature) .and. self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
-      if (.not. is_abrupt(rubbing, 1/self%rate, domain%state%time_increment)) return
+      associate (increment => 1/self%rate)
+         if (.not. is_abrupt(rubbing, increment, domain%state%time_increment, domain%fastest_warming(increment))) return
+      end associate
       domain%heat_weights = [1, 0]
       has_moved = .true.
    end subroutine settle
@@ -462,13 +465,15 @@ contains
 
       if (.not. allocated(self%heat)) return
       associate (state => domain%state, heat => self%heat)
+         state%heat_made = state%heat_made + self%of_friction
+         state%surface_heat = state%surface_heat + self%through_film
+         ! an iterate that was given up
+         if (.not. heat%is_solved) return
          do k = 1, size(heat%elements)
             associate (made => state%heat_made(heat%ends%element(k)))
                made = made + heat%between_contacts(k)
             end associate
          end do
-         state%heat_made = state%heat_made + self%of_friction
-         state%surface_heat = state%surface_heat + self%through_film
       end associate
       call remember_heat(self)
    end subroutine accept
@@ -478,7 +483,6 @@ contains
       class(contact_heat_term_t), intent(inout) :: self
       integer :: i
 
-      if (.not. self%heat%is_solved) return
       associate (a => self%points, b => self%line_points, heat => self%heat, set => self%contact)
          do i = 1, size(a)
             set%points(a(i))%history%settled_heat = settled_heat(heat, number_of_point(self, i))

@@ -84,6 +84,7 @@ contains
       do side = 1, 2
          call fin_parts(domain%film_between_nodes(rubbing%element(side)), rubbing%xi(side), rubbing%part(:, side), &
             unused)
+         rubbing%capacity(side) = domain%least_capacity(rubbing%element(side))
       end do
       associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction)%heat)
          rubbing%heat = law%friction_fraction*work

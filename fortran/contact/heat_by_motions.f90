@@ -100,7 +100,7 @@ contains
 
       associate (spot => self%spots(i))
          heat = spot%by_shape*moved%shape(i) + spot%by_heat_conductance*moved%heat_conductance(i) &
-            + self%contacts(i)%of_work(1)/2*moved%friction_work(i)
+            + self%contacts(i)%of_work/2*moved%friction_work(i)
       end associate
    end function heat_by_motions
 
@@ -158,9 +158,9 @@ contains
 
       do i = 1, size(self%contacts)
          associate (contact => self%contacts(i), nodes => self%contacts(i)%nodes, place => moved%place(:, i), &
-            heat => self%heat(:, i) + self%between(:, i) + self%contacts(i)%friction_beyond/2)
-            leaving(nodes) = leaving(nodes) - contact%dpart*[place(1)*heat(1), place(1)*heat(1), place(2)*heat(2), &
-               place(2)*heat(2)] - contact%part*contact%of_work(2)/2*moved%friction_work(i)
+            heat => self%heat(:, i) + self%between(:, i))
+            leaving(nodes) = leaving(nodes) - contact%dpart*place([1, 1, 2, 2])*(heat([1, 1, 2, 2]) &
+               + contact%friction_beyond/2) - contact%part*contact%beyond_of_work/2*moved%friction_work(i)
          end associate
       end do
    end subroutine add_moved_heats

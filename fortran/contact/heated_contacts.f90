@@ -12,7 +12,7 @@ module litz_heated_contacts
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t, pair_geometry
    use litz_contact_spots, only: find_spot
-   use litz_contact_temperatures, only: spot_by_temperature, stiffer_by_temperature
+   use litz_contact_temperatures, only: spot_by_temperature
    use litz_domain, only: domain_t
    use litz_fields, only: temperature_slots
    use litz_fin, only: fin_parts, fin_growth, fin_even
@@ -30,7 +30,7 @@ module litz_heated_contacts
    implicit none
    private
    public :: heated_contact_t, heated_contact, can_pass_heat, conducting_metals
-   public :: contact_rows_t, contact_rows, n_rows, left_of_settled
+   public :: contact_rows_t, n_rows, left_of_settled, elastic_shape, given_conductance
 
    type :: heated_contact_t
       !> Nodes of both elements, barred first, and their parts of the temperatures at its places, and of the heat that
@@ -66,6 +66,8 @@ module litz_heated_contacts
       real(dp) :: reached(2, 2) = 1, settled_heat(2, 2) = 0
       !> Resistances of both constrictions and of what is between them [ohm]
       real(dp) :: resistance(2) = 0, film_resistance = 0
+      !> Of a film to heat [K/W]; 0: none
+      real(dp) :: heat_film = 0
       !> How the former, and all in series, change with the temperatures of both places (2, 2), (2) [ohm/K]
       real(dp) :: dresistance(2, 2) = 0, dseries(2) = 0
       type(spot_path_t) :: path
@@ -77,8 +79,8 @@ module litz_heated_contacts
       !> A wire whose conductivity goes with the temperature is at absolute zero or below
       logical :: is_cold = .false.
       real(dp) :: friction_heat = 0
-      !> What BDF2 gives to the nodes beyond that [W]; and both over the work of this increment [1/s]
-      real(dp) :: friction_beyond = 0, of_work(2) = 0
+      !> What BDF2 gives to the nodes beyond that (4) [W]; and both over the work of this increment, (4) [1/s]
+      real(dp) :: friction_beyond(4) = 0, of_work = 0, beyond_of_work(4) = 0
       !> How ln(h) of both constrictions changes with the temperatures of both places (2, 2) [1/K]
       real(dp) :: dpath(2, 2) = 0
    contains
@@ -159,27 +161,31 @@ contains
             if (rate > 0) heated%reached(:, side) = part_reached(rate*time_constant(domain, heated%element(side)))
          end do
          if (rate > 0) heated%settled_heat = point%history%settled_heat
-         associate (work => point%friction%dissipation, weights => domain%heat_weights)
-            heated%of_work = law%heat%friction_fraction*rate*[1.0_dp, weights(1) - 1]
-            heated%friction_heat = heated%of_work(1)*work
-            heated%friction_beyond = heated%of_work(2)*work &
-               - heated%of_work(1)*weights(2)*point%history%last_dissipation
-         end associate
+         heated%of_work = law%heat%friction_fraction*rate
+         heated%friction_heat = heated%of_work*point%friction%dissipation
+         if (rate > 0) call add_beyond(domain, point, heated)
          heated%is_passed = law%heat%exists() .or. heated%conductance > 0
          if (.not. heated%is_passed) return
          pair = wires_of(domain%model, domain%elements, point)
          call find_constrictions(point, pair, heated)
          if (law%heat%is_given()) then
             heated%path = spot_path_t(is_metal=.false., conductance=2*given_conductance(domain, law, point, pair))
+            heated%is_passed = heated%path%conductance(1) > 0
             return
          end if
          heated%heat_shape = heated%shape
-         if (.not. heated%conductance > 0) heated%heat_shape = elastic_shape(domain, law, point, pair, heated)
+         if (.not. heated%conductance > 0) then
+            heated%heat_shape = elastic_shape(domain, law, point, pair, heated)
+            ! metal that has yielded touches until its force is none
+            heated%is_passed = heated%heat_shape(1) > 0
+            if (.not. heated%is_passed) return
+         end if
+         if (law%heat%film > 0) heated%heat_film = film_to_heat(domain, law, point, pair, heated)
          heated%is_metal = law%heat%number == heat_metal_law .and. heated%conductance > 0
          heated%lorenz = law%heat%lorenz
          heated%is_hot = law%supertemperature .and. heated%shape(1) > 0 .and. .not. heated%is_given
          if (heated%is_hot) heated%constrictions = constrictions_t(heated%shape, heated%film_resistance, &
-            is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
+            heated%heat_film, is_metal=heated%is_metal, lorenz=heated%lorenz, zero=domain%model%absolute_zero)
          do side = 1, 2
             heated%is_cold = heated%is_cold .or. heated%is_metal .and. heated%linear_temperature(side, &
                domain%iterate%value(temperature_slots(1), heated%nodes(2*side - 1:2*side))) &
@@ -187,6 +193,22 @@ contains
          end do
       end associate
    end function heated_contact
+
+   !> What BDF2 gives to the nodes of the heat of friction, beyond backward Euler.
+   pure subroutine add_beyond(domain, point, heated)
+      type(domain_t), intent(in) :: domain
+      type(contact_point_t), intent(in) :: point
+      type(heated_contact_t), intent(inout) :: heated
+      real(dp) :: weights(2)
+      integer :: i
+
+      do i = 1, 4
+         weights = domain%heat_weights_at(heated%nodes(i)) - [1, 0]
+         heated%beyond_of_work(i) = heated%of_work*weights(1)
+         heated%friction_beyond(i) = heated%beyond_of_work(i)*point%friction%dissipation &
+            - heated%of_work*weights(2)*point%history%last_dissipation
+      end do
+   end subroutine add_beyond
 
    !> What the place in an element does between its nodes.
    subroutine place_in_film(domain, side, heated)
@@ -270,7 +292,7 @@ contains
       end if
       if (.not. self%heat_shape(1) > 0) return
       if (self%is_given) self%heat_shape = shape
-      self%path = spot_path_t(is_metal=.false., conductance=lambda/self%heat_shape)
+      self%path = spot_path_t(is_metal=.false., conductance=lambda/self%heat_shape, film=self%heat_film)
       self%dpath = reshape([dlambda(1)/lambda(1), 0.0_dp, 0.0_dp, dlambda(2)/lambda(2)], [2, 2]) - spread(dshape, 1, 2)
       if (self%is_metal) call follow_wiedemann_franz(self%lorenz, temperature - absolute_zero, self)
    end subroutine warm
@@ -347,7 +369,8 @@ contains
       end do
    end subroutine follow_wiedemann_franz
 
-   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities [1/m].
+   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities; 0: no
+   !> force [1/m].
    function elastic_shape(domain, law, point, pair, heated, row) result(shape)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
@@ -358,24 +381,56 @@ contains
       real(dp), intent(out), optional :: row(:)
       real(dp) :: shape(2)
       type(interaction_t) :: elastic
-      type(wire_pair_t) :: thermal_pair
-      real(dp) :: conductance, conductivity, slope
-      integer :: side
+      real(dp) :: conductance
 
       elastic = law
       elastic%spot = spot_law('HERTZ')
       elastic%spot_memory = .false.
-      thermal_pair = pair
-      do side = 1, 2
-         call conductivity_of(domain, heated%element(side), domain%mean_temperature(heated%element(side)), &
-            conductivity, slope)
-         thermal_pair%resistivity(side) = 1/conductivity
-      end do
-      thermal_pair%dresistivity = 0
-      conductance = spot_conductance(domain, elastic, point, thermal_pair, row, shape)
+      conductance = spot_conductance(domain, elastic, point, thermal_pair(domain, pair, heated), row, shape)
+      if (.not. conductance > 0) then
+         shape = 0
+         return
+      end if
       shape = -shape/conductance**2
       if (present(row)) row = row/conductance
    end function elastic_shape
+
+   !> Resistance to heat of a film over the spot of elastic wires, or of their dent [K/W].
+   real(dp) function film_to_heat(domain, law, point, pair, heated) result(resistance)
+      type(domain_t), intent(in) :: domain
+      type(interaction_t), intent(in) :: law
+      type(contact_point_t), intent(in) :: point
+      type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(in) :: heated
+      type(interaction_t) :: filmed
+      type(wire_pair_t) :: wires
+      real(dp) :: shape(2)
+
+      filmed = law
+      filmed%spot = spot_law('FILM')
+      filmed%spot%data(1) = law%heat%film
+      filmed%spot_memory = .false.
+      shape = elastic_shape(domain, law, point, pair, heated)
+      wires = thermal_pair(domain, pair, heated)
+      resistance = 1/spot_conductance(domain, filmed, point, wires) - sum(shape*wires%resistivity)
+   end function film_to_heat
+
+   !> Wires whose resistivities are those to heat.
+   type(wire_pair_t) function thermal_pair(domain, pair, heated) result(thermal)
+      type(domain_t), intent(in) :: domain
+      type(wire_pair_t), intent(in) :: pair
+      type(heated_contact_t), intent(in) :: heated
+      real(dp) :: conductivity, slope
+      integer :: side
+
+      thermal = pair
+      do side = 1, 2
+         call conductivity_of(domain, heated%element(side), domain%mean_temperature(heated%element(side)), &
+            conductivity, slope)
+         thermal%resistivity(side) = 1/conductivity
+      end do
+      thermal%dresistivity = 0
+   end function thermal_pair
 
    !> Heat conductance that is given [W/K].
    real(dp) function given_conductance(domain, law, point, pair, row) result(conductance)
@@ -423,56 +478,6 @@ contains
          end associate
       end associate
    end function spot_conductance
-
-   !> How a contact changes with motions and with temperatures that its mechanics sees. A film conducts by its area, as
-   !> which goes the square of the shape.
-   type(contact_rows_t) function contact_rows(domain, point, heated) result(rows)
-      type(domain_t), intent(in) :: domain
-      type(contact_point_t), intent(in) :: point
-      type(heated_contact_t), intent(in) :: heated
-      type(wire_pair_t) :: pair
-      real(dp) :: conductance(n_rows), by_place(n_motions), unused
-
-      rows%place = reshape([point%kinematics%rows%dxi_bar, point%kinematics%rows%dxi], shape(rows%place))
-      associate (law => domain%model%interactions(domain%model%contact_pairs(point%pair)%interaction))
-         if (point%friction%dissipation > 0) rows%friction_work = [point%dfriction_work, work_by_temperature(domain, &
-            point, law_of_spot(law%normal, point))]
-         if (.not. heated%is_passed) return
-         pair = wires_of(domain%model, domain%elements, point)
-         if (point%conductance > 0) then
-            conductance(:n_motions) = point%dconductance
-            conductance(n_motions + 1:) = spot_by_temperature(domain, law, point, point%dconductance_dgap, &
-               point%dconductance_dln_force)
-            rows%resistance = -point%dconductance/point%conductance**2
-            by_place = matmul(rows%place, heated%shape*pair%dresistivity*pair%dtemperature)
-            if (heated%is_given) then
-               rows%shape = -conductance/point%conductance
-            else
-               rows%shape = -conductance/point%conductance**2
-               rows%shape(:n_motions) = rows%shape(:n_motions) - by_place
-               rows%shape = rows%shape/(sum(heated%linear_resistance) + 2*heated%film_resistance)
-            end if
-         end if
-         if (law%heat%is_given()) then
-            unused = given_conductance(domain, law, point, pair, rows%heat_conductance)
-         else if (point%conductance > 0) then
-            rows%heat_conductance = -rows%shape
-         else
-            unused = sum(elastic_shape(domain, law, point, pair, heated, rows%heat_conductance))
-         end if
-      end associate
-   end function contact_rows
-
-   !> How the work of friction changes with temperatures where nothing moves: as the normal force does (4) [J/K].
-   pure function work_by_temperature(domain, point, at_gap) result(slope)
-      type(domain_t), intent(in) :: domain
-      type(contact_point_t), intent(in) :: point
-      type(force_of_gap_t), intent(in) :: at_gap
-      real(dp) :: slope(4)
-
-      slope = point%dfriction_work_dforce*(at_gap%dforce_dgap*point%dgap_dtemperature &
-         + point%force*stiffer_by_temperature(domain, point))
-   end function work_by_temperature
 
    !> Heat by which the temperature at a contact is above the linear one since before the increment [W].
    pure real(dp) function left_of_settled(contact, side)

@@ -28,8 +28,8 @@ module litz_surface_cells
    type :: wire_axis_t
       !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer :: interpolation = 0
-      !> Reference length and radius [m]
-      real(dp) :: length = 0, radius = 0
+      !> Reference length, radius as it is swollen, and that of the laws, which is the reference one [m]
+      real(dp) :: length = 0, radius = 0, law_radius = 0
       !> Positions [m] and unit tangents of the nodes (3, 2), and the axis in powers of xi (3, 0:3) [m]
       real(dp) :: x(3, 2) = 0, t(3, 2) = 0, p(3, 0:3) = 0
    end type wire_axis_t
@@ -150,9 +150,9 @@ contains
       curvature = curvature_of_surface(surface)
       ! the direction in which the surface is curved, along and across the wire
       e = [dot_product(cross(surface%direction, normal), tangent), dot_product(surface%direction, tangent)]
-      relative%across = 1/axis%radius + curvature*e(2)**2
+      relative%across = 1/axis%law_radius + curvature*e(2)**2
       relative%of_surface = curvature*e(1)**2
-      relative%along = bend/max(1 + bend*axis%radius, 0.5_dp) + relative%of_surface
+      relative%along = bend/max(1 + bend*axis%law_radius, 0.5_dp) + relative%of_surface
       relative%mixed = curvature*e(1)*e(2)
       if (.not. relative%opening > 0) return
       relative%deepest = max(dent, axis%radius - distance) &
@@ -175,7 +175,7 @@ contains
       real(dp), intent(in) :: young, poisson
       type(relative_curvature_t), intent(in) :: curvature
 
-      law = rigid_line(axis%radius, young, poisson, curvature)
+      law = rigid_line(axis%law_radius, young, poisson, curvature)
    end function law_of_cell
 
    !> Follow a law from now on.

@@ -54,12 +54,12 @@ contains
       self%of_surfaces = spread(0.0_dp, 1, domain%model%n_nodes)
       if (.not. (self%rate > 0 .and. allocated(domain%surface_rubbing))) return
       do i = 1, size(domain%surface_rubbing)
-         associate (this => domain%surface_rubbing(i), power => power_of(domain%surface_rubbing(i), &
-            domain%heat_weights, 1/self%rate))
-            associate (made => self%made(:, this%element(1)), xi => this%xi(1))
-               made = made + this%share(1)*power*[1 - xi, 1 + xi]/2
+         associate (this => domain%surface_rubbing(i), xi => domain%surface_rubbing(i)%xi(1))
+            associate (made => self%made(:, this%element(1)), nodes => domain%model%connectivity(:, this%element(1)))
+               made = made + this%share(1)*[1 - xi, 1 + xi]/2*[power_at(nodes(1), this), power_at(nodes(2), this)]
             end associate
-            if (this%node > 0) self%of_surfaces(this%node) = self%of_surfaces(this%node) + this%share(2)*power
+            if (this%node > 0) self%of_surfaces(this%node) = self%of_surfaces(this%node) &
+               + this%share(2)*power_at(this%node, this)
          end associate
       end do
       do i = 1, domain%model%n_elements
@@ -72,6 +72,18 @@ contains
       do i = 1, size(domain%surface_rubbing)
          call add_tangent(self, domain, domain%surface_rubbing(i))
       end do
+
+   contains
+
+      !> As a node has it [W].
+      pure real(dp) function power_at(node, rubbing)
+         !> Index of the node
+         integer, intent(in) :: node
+         type(rubbing_t), intent(in) :: rubbing
+
+         power_at = power_of(rubbing, domain%heat_weights_at(node), 1/self%rate)
+      end function power_at
+
    end subroutine evaluate
 
    !> How the heat of one cell changes with motions, and with temperatures that the mechanics sees.
@@ -79,15 +91,18 @@ contains
       class(surface_heat_term_t), intent(in) :: self
       type(domain_t), intent(inout) :: domain
       type(rubbing_t), intent(in) :: this
-      real(dp) :: share, unused, rows(3), k(3, 18), k_t(3, 3)
-      integer :: nodes(3), n
+      real(dp) :: share, unused, rows(3), k(3, 18), k_t(3, 3), weights(2)
+      integer :: nodes(3), n, i
 
       call domain%share_of_nodes(this%element(1), share, unused)
       rows(:2) = -share*this%share(1)*[1 - this%xi(1), 1 + this%xi(1)]/2
       rows(3) = merge(-this%share(2), 0.0_dp, this%node > 0)
-      rows = domain%heat_weights(1)*self%rate*rows
       nodes = [domain%model%connectivity(:, this%element(1)), this%mover]
       n = merge(3, 2, this%mover > 0)
+      do i = 1, n
+         weights = domain%heat_weights_at(nodes(i))
+         rows(i) = weights(1)*self%rate*rows(i)
+      end do
       k = spread(rows, 2, 18)*spread(this%dheat, 1, 3)
       k_t = spread(rows, 2, 3)*spread([this%dheat_dtemperature, 0.0_dp], 1, 3)
       call domain%add_cells(reshape(nodes(:n), [n, 1]), temperature_slots, motion_slots, &
@@ -123,7 +138,9 @@ contains
       logical, intent(inout) :: has_moved
 
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0 .and. allocated(domain%surface_rubbing))) return
-      if (.not. is_abrupt(domain%surface_rubbing, 1/self%rate, domain%state%time_increment)) return
+      associate (increment => 1/self%rate, rubbing => domain%surface_rubbing)
+         if (.not. is_abrupt(rubbing, increment, domain%state%time_increment, domain%fastest_warming(increment))) return
+      end associate
       domain%heat_weights = [1, 0]
       has_moved = .true.
    end subroutine settle

@@ -205,6 +205,7 @@ contains
                rubbing(n)%dheat_dtemperature = law%friction_fraction*cell%friction%ddissipation_dforce &
                   *force_by_radius(cell)*swelling_of(domain, cell%element)
             end associate
+            rubbing(n)%capacity(1) = domain%least_capacity(cell%element)
             rubbing(n)%mover = surface_node(domain, cell)
             if (.not. surface_conducts(model, model%surface_pairs(cell%pair)%surface, field_temperature)) cycle
             rubbing(n)%node = surface_node(domain, cell)

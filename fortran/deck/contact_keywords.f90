@@ -114,6 +114,8 @@ contains
          ' [N/m], of wires that touch along lines and on rigid surfaces (litz extension)', default='SPOT'))
       call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T'// &
          ' at the contact', limit_positive))
+      call k%add(number('FILM', 'resistance to heat of a film in the spot, times area [K m^2/W], of CONDUCTIVITY'// &
+         ' and METAL: an oxide, or enamel, over the spot that the mechanics has (litz extension)', limit_positive))
       call k%add(number('TSOFT', 'temperature at which the metal softens: a warning (hot_spot) where the hottest'// &
          ' place of a spot is above it, by its voltage in steps that do not solve for temperatures, too', limit_none))
       call k%add(number('TMELT', 'temperature at which it melts: no spot is hotter in any step', limit_none))

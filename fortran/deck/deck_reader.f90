@@ -9,6 +9,7 @@ module litz_deck_reader
    use litz_text, only: squeezed
    use litz_material_properties, only: has_thermal_mechanics, has_thermal_resistivity
    use litz_model, only: model_t, material_t, n_nodes_of_deck
+   use litz_fields, only: field_temperature
    use litz_reader, only: reader_t, fail_at, keyword_of, parameter_of, real_parameter
    use litz_data_lines, only: read_line
    use litz_card_checks, only: check_cards
@@ -48,6 +49,7 @@ contains
          if (self%errors%count == 0) call report_findings(self, model, warnings)
          call warn_about_spare_nodes(self, model, warnings)
          call warn_about_temperatures(self, model, warnings)
+         call warn_about_spots(self, model, warnings)
       end if
       errors = self%errors
       call errors%sort()
@@ -242,8 +244,8 @@ contains
       do card = 1, self%deck%n_cards
          if (.not. any(keyword_of(self, card) == [character(len=18) :: 'TEMPERATURE', 'INITIAL CONDITIONS'])) cycle
          if (.not. any([(depends_on_temperature(model%materials(i)), i=1, size(model%materials))])) then
-            call warn(card, 'idle_temperatures', 'temperatures have no effect: no material of the model depends on'// &
-               ' temperature')
+            call warn(self, warnings, card, 'idle_temperatures', 'temperatures have no effect: no material of'// &
+               ' the model depends on temperature')
          end if
          return
       end do
@@ -257,20 +259,73 @@ contains
             has_thermal_resistivity(material) .or. allocated(material%superconductor)
       end function depends_on_temperature
 
-      subroutine warn(card, kind, words)
-         !> Index of the card
-         integer, intent(in) :: card
-         !> Of the warning, and what it says
-         character(len=*), intent(in) :: kind, words
-         type(error_t) :: error
-
-         error = self%deck%error_at(self%deck%cards(card)%name, words)
-         error%is_warning = .true.
-         error%kind = kind
-         call warnings%add(error)
-      end subroutine warn
-
    end subroutine warn_about_temperatures
+
+   !> A temperature at which metal softens or melts, and spots of which no temperature is known.
+   subroutine warn_about_spots(self, model, warnings)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      type(error_list_t), intent(inout) :: warnings
+      type(token_t) :: limit
+      integer :: card, i
+
+      if (self%errors%count > 0) return
+      do card = 1, self%deck%n_cards
+         if (keyword_of(self, card) /= 'GAP CONDUCTANCE') cycle
+         limit = parameter_of(self, card, 'TSOFT')
+         if (.not. limit%last >= limit%first) limit = parameter_of(self, card, 'TMELT')
+         if (limit%last >= limit%first) exit
+      end do
+      if (card > self%deck%n_cards) return
+      if (.not. model%has_field(field_temperature)) then
+         call warn(self, warnings, card, 'unwatched_spots', 'no spot is held against TSOFT or TMELT: the hottest'// &
+            ' place is above its wires, and the model has no temperatures; give them by *INITIAL CONDITIONS,'// &
+            ' TYPE=TEMPERATURE')
+         return
+      end if
+      do i = 1, size(model%contact_pairs)
+         associate (pair => model%contact_pairs(i))
+            associate (heat => model%interactions(pair%interaction)%heat)
+               if (.not. (heat%has_softening .or. heat%has_melting)) cycle
+            end associate
+            if (all_conduct_heat(pair%set_bar) .and. all_conduct_heat(pair%set)) cycle
+            call warn(self, warnings, card, 'unwatched_spots', 'TSOFT and TMELT are held against the temperatures'// &
+               ' of the wires, not of what a current makes of the spot, where a material has no *CONDUCTIVITY:'// &
+               ' elements of '//model%element_sets(merge(pair%set, pair%set_bar, &
+               all_conduct_heat(pair%set_bar)))%name)
+            return
+         end associate
+      end do
+
+   contains
+
+      pure logical function all_conduct_heat(set)
+         !> Element set
+         integer, intent(in) :: set
+         integer :: k
+
+         associate (elements => model%element_sets(set)%members)
+            all_conduct_heat = all([(allocated(model%materials(model%sections(model%element_section(elements(k))) &
+               %material)%heat_conductivity), k=1, size(elements))])
+         end associate
+      end function all_conduct_heat
+
+   end subroutine warn_about_spots
+
+   subroutine warn(self, warnings, card, kind, words)
+      type(reader_t), intent(in) :: self
+      type(error_list_t), intent(inout) :: warnings
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Of the warning, and what it says
+      character(len=*), intent(in) :: kind, words
+      type(error_t) :: error
+
+      error = self%deck%error_at(self%deck%cards(card)%name, words)
+      error%is_warning = .true.
+      error%kind = kind
+      call warnings%add(error)
+   end subroutine warn
 
    !> Nodes of no element do nothing; the user may have meant more elements.
    subroutine warn_about_spare_nodes(self, model, warnings)

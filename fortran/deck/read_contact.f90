@@ -231,6 +231,9 @@ contains
             ' the other laws serve contact along lines as they are')
          interaction%heat%is_per_length = .false.
       end if
+      interaction%heat%film = real_parameter(self, card, 'FILM', 0.0_dp)
+      if (interaction%heat%film > 0 .and. interaction%heat%is_given()) call fail_at(self, parameter_of(self, card, &
+         'FILM'), 'FILM= is for LAW=CONDUCTIVITY and LAW=METAL; a conductance that is given has all in it')
       softening = parameter_of(self, card, 'TSOFT')
       melting = parameter_of(self, card, 'TMELT')
       interaction%heat%has_softening = softening%last >= softening%first

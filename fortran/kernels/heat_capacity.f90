@@ -20,6 +20,8 @@
 !>
 !>     T - T(t) = (T - T_p) h/(2h + h1)                                                                              (4)
 !>
+!> In both h1 and h2 are no longer than h: of what sets in behind long increments, these know nothing.
+!>
 !> Source: theory section 13.
 module litz_heat_capacity
    use litz_kinds, only: dp
@@ -86,7 +88,7 @@ contains
       slope = before/h1
       curvature = (slope - earlier/h2)/(h1 + h2)
       weights = bdf2_weights(h/h1)
-      error = (change - h*slope - h*(h + h1)*curvature)*(h/weights(1))/(h/weights(1) + h + h1 + h2)
+      error = (change - h*slope - h*(h + h1)*curvature)*(h/weights(1))/(h/weights(1) + h + min(h, h1) + min(h, h2))
    end function bdf2_error
 
    !> The same of backward Euler. Source: (4).
@@ -96,7 +98,7 @@ contains
       !> The increment, and the one before it [s]
       real(dp), intent(in) :: h, h1
 
-      error = (change - h*before/h1)*h/(2*h + h1)
+      error = (change - h*before/h1)*h/(2*h + min(h, h1))
    end function euler_error
 
    !> `H(T) - H(T_before)` and its slope over T.

@@ -27,6 +27,8 @@ module litz_heat_law
       logical :: is_per_length = .false.
       !> Lorenz number of METAL [V^2/K^2]; 0: that of each wire from its lambda and rho
       real(dp) :: lorenz = 0
+      !> Resistance to heat of a film in the spots of CONDUCTIVITY and METAL, times area [K m^2/W]
+      real(dp) :: film = 0
       !> Temperatures at which the metal of a spot softens and melts [K], where they are given; and it may melt
       logical :: has_softening = .false., has_melting = .false., may_melt = .false.
       real(dp) :: softening = 0, melting = 0

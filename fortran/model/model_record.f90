@@ -296,6 +296,7 @@ contains
       call record_law('law of the spot (*GAP ELECTRICAL CONDUCTANCE)', this%spot)
       call record_law('law of the heat (*GAP CONDUCTANCE)', this%heat)
       call record%value('LORENZ', this%heat%lorenz)
+      call record%value('FILM of the heat', this%heat%film)
       if (this%heat%has_softening) call record%value('TSOFT', this%heat%softening)
       if (this%heat%has_melting) call record%value('TMELT', this%heat%melting)
       call record%value('MELTING', trim(merge('WARN', 'END ', this%heat%may_melt)))

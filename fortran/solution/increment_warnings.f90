@@ -33,8 +33,8 @@ module litz_increment_warnings
    real(dp), parameter :: least_length = 1.0e-3_dp
    !> Part of its width by which a contact may slide up the side of its dent in an increment
    real(dp), parameter :: longest_climb = 0.25_dp
-   !> Largest error of an increment of backward Euler over its change, of a temperature that falls to another one:
-   !> (1 - (1 + z) exp(-z))/z where it is largest
+   !> Largest error of an increment of backward Euler over its change, of a temperature that comes to rest:
+   !> (1 - (1 + z) exp(-z))/z where it is largest, with z increments to the time constant
    real(dp), parameter :: largest_part = 0.3_dp
    !> Error over the temperature from absolute zero up to which a step of a single increment is not warned of
    real(dp), parameter :: least_share = 1.0e-3_dp
@@ -165,12 +165,15 @@ contains
          is_free = problem%equations%number(slot, :) > 0
          change = changes_by_heat(problem%model, problem%elements%length, reshape([state%value(slot, :), &
             state%temperature_before, state%temperature_earlier], [size(is_free), 3]))
-         allowed = max(step%largest_error, least_share*maxval(abs(state%value(slot, :) - problem%model%absolute_zero)))
          if (is_alone) then
+            allowed = step%largest_error
+            if (.not. allowed > 0) allowed = least_share*maxval(abs(state%value(slot, :) - problem%model%absolute_zero))
             error = maxval([0.0_dp, largest_part*abs(change(:, 1))], [.true., is_free])
             if (error > allowed) call problem%warnings%add('first_increment', 'the step over time is a single'// &
-               ' increment, whose temperatures may be off by up to '//to_text(error)//label//': give it'// &
-               ' increments (first value of its procedure), or ERROR=', value=error, unit=trim(adjustl(label)))
+               ' increment, which tells nothing of its error: temperatures that come to rest within it may be off'// &
+               ' by 30 % of their change, '//to_text(error)//label//' of the largest one, those that change evenly'// &
+               ' are exact; increments (first value of the procedure), or a small first one with ERROR=, tell', &
+               value=error, unit=trim(adjustl(label)))
             return
          end if
          associate (h => state%time_increment, h1 => state%time_increment_before)

@@ -141,6 +141,7 @@ contains
 
       self%quick = 0
       self%wanted = failed_increment*merge(safety*ratio, step%controls%d_f, ratio < 1)
+      if (ratio < 1 .and. failed_increment > step%smallest) self%wanted = max(self%wanted, step%smallest)
       possible = .not. step%direct .and. attempts <= step%controls%i_a .and. self%wanted >= step%smallest
    end function cut
 

@@ -274,12 +274,26 @@ contains
             measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
          call problem%timing%lap(phase_update)
+         if (.not. ratio > 1) call warn_of_smallest(problem, reason)
          call report_increment(problem, outcome, audit, &
             report_of(problem, outcome, audit, increment, target, start_time), observer, error)
          if (allocated(error)) return
          call control%accept(step, step_time, outcome%effort(), min(ratio, 1/epsilon(ratio))*increment)
       end associate
    end subroutine run_increment
+
+   !> An increment that is no smaller because no smaller one is allowed.
+   subroutine warn_of_smallest(problem, reason)
+      type(problem_t), intent(inout) :: problem
+      !> Why it ought to be
+      character(len=*), intent(in) :: reason
+
+      associate (state => problem%state)
+         call problem%warnings%set_place(state%step, state%increment, state%time)
+         call problem%warnings%add('smallest_increment', 'the smallest increment (third value of the procedure) is'// &
+            ' not small enough: '//reason, value=state%time_increment, unit=problem%model%units%label('s'))
+      end associate
+   end subroutine warn_of_smallest
 
    !> The largest increment that all terms bear, over the one that has converged.
    subroutine find_bearable_ratio(problem, step, ratio, reason)

@@ -22,6 +22,9 @@ module litz_capacity_term
    !> 1 + sqrt(2)
    real(dp), parameter :: largest_growth = 2.4_dp
 
+   !> An increment is the smallest one to this part of itself
+   real(dp), parameter :: tight = 1.0e-6_dp
+
    integer, parameter :: slot = temperature_slots(1)
 
    !> Changes of phase of a material.
@@ -38,8 +41,6 @@ module litz_capacity_term
       logical :: is_at_work = .false.
       !> [s]
       real(dp) :: increment = 1
-      !> Temperatures that are prescribed, or joined with such by equations (n_nodes)
-      logical, allocatable :: is_led(:)
       !> Temperatures when the increment began (n_nodes) [K]
       real(dp), allocatable :: at_start(:)
       !> What the elements take up, and what of it their films take between the nodes (n_elements) [W]
@@ -77,7 +78,7 @@ contains
 
       self%is_at_work = step%transient
       self%increment = increment
-      if (step%transient) self%is_led = led_nodes(domain)
+      if (step%transient) domain%is_led = led_nodes(domain)
       domain%heat_weights = [1, 0]
       associate (before => domain%state%time_increment)
          if (domain%state%step_time > 0 .and. increment <= largest_growth*before) then
@@ -157,10 +158,7 @@ contains
 
       associate (section => domain%model%sections(domain%model%element_section(e)), &
          node => domain%model%connectivity(:, e), state => domain%state)
-         weights = spread(domain%heat_weights, 2, 2)
-         do i = 1, 2
-            if (self%is_led(node(i))) weights(:, i) = [1, 0]
-         end do
+         weights = reshape([(domain%heat_weights_at(node(i)), i=1, 2)], [2, 2])
          associate (material => domain%model%materials(section%material))
             call heat_capacity(domain%iterate%value(slot, node), state%value(slot, node), &
                state%temperature_before(node), weights, &
@@ -209,7 +207,8 @@ contains
       end do
    end subroutine shorten
 
-   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment.
+   !> Free temperatures do not change by more than DELTMX, and have no more than ERROR in an increment; with the
+   !> smallest one that is allowed what sets in at once may have more, and the ratio is 1.
    subroutine bearable_increment(self, domain, step, ratio, reason)
       class(capacity_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -227,7 +226,10 @@ contains
          change = maxval(abs(domain%iterate%change(slot, :)), is_free)
          if (step%largest_change > 0 .and. change > step%largest_change/huge(ratio)) ratio = step%largest_change/change
          if (ratio < 1) reason = 'a temperature changes by more than DELTMX='//to_text(step%largest_change)
-         if (step%largest_error > 0) ratio = min(ratio, ratio_of_errors(self, domain, step%largest_error, is_free))
+         if (step%largest_error > 0 .and. .not. ratio < 1) then
+            ratio = min(ratio, ratio_of_errors(self, domain, step%largest_error, is_free))
+            if (self%increment <= step%smallest*(1 + tight)) ratio = max(ratio, 1.0_dp)
+         end if
       end associate
    end subroutine bearable_increment
 

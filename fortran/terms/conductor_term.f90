@@ -143,7 +143,10 @@ contains
       !> Fraction of the step that is taken, and the step (n_slots, n_nodes)
       real(dp), intent(in) :: eta, correction(:, :)
 
-      if (.not. any(abs(correction(potential_slots(1):potential_slots(2), :)) > 0)) return
+      ! motions alone take their turn
+      associate (of_potentials => correction(potential_slots(1):potential_slots(2), :))
+         if (.not. any(abs(of_potentials) > 0) .and. any(abs(correction) > 0)) return
+      end associate
       if (size(domain%superconductors%members) > 0) call follow(self, domain, &
          merge(correction, eta*correction, domain%loading%fixed))
    end subroutine predict

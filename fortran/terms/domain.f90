@@ -54,8 +54,10 @@ module litz_domain
       !> increment (n_elements) [W/(m K)], [K]
       real(dp), allocatable :: film(:), sink(:)
       !> Of the last two changes of the enthalpy in its rate over time, and of the works of friction in theirs: backward
-      !> Euler, or BDF2
+      !> Euler, or BDF2; and nodes that have backward Euler in any case, as their temperatures are prescribed, or joined
+      !> with such by equations (n_nodes)
       real(dp) :: heat_weights(2) = [1.0_dp, 0.0_dp]
+      logical, allocatable :: is_led(:)
       !> Elements with superconducting filaments
       type(superconductors_t) :: superconductors
       !> Friction on rigid surfaces, by the motions that were evaluated last
@@ -79,6 +81,9 @@ module litz_domain
       procedure :: mark_nodes
       procedure :: conduction_length
       procedure :: mean_temperature
+      procedure :: heat_weights_at
+      procedure :: least_capacity
+      procedure :: fastest_warming
       procedure :: mechanical_temperature
       procedure :: resistivity
       procedure :: share_of_nodes
@@ -125,6 +130,46 @@ contains
 
       mean_temperature = sum(self%iterate%value(temperature_slots(1), self%model%connectivity(:, element)))/2
    end function mean_temperature
+
+   !> Weights of a node in steps over time.
+   pure function heat_weights_at(self, node) result(weights)
+      class(domain_t), intent(in) :: self
+      !> Index of the node
+      integer, intent(in) :: node
+      real(dp) :: weights(2)
+
+      weights = self%heat_weights
+      if (self%is_led(node)) weights = [1, 0]
+   end function heat_weights_at
+
+   !> Heat that half an element takes up per kelvin [J/K].
+   pure real(dp) function least_capacity(self, element) result(capacity)
+      class(domain_t), intent(in) :: self
+      !> Index of the element
+      integer, intent(in) :: element
+      real(dp) :: specific_heat, slope
+
+      capacity = 0
+      associate (section => self%model%sections(self%model%element_section(element)))
+         associate (material => self%model%materials(section%material))
+            if (.not. allocated(material%specific_heat)) return
+            call property_at(material%specific_heat, self%mean_temperature(element), specific_heat, slope)
+            capacity = material%density*section%area*self%elements%length(element)/2*specific_heat
+         end associate
+      end associate
+   end function least_capacity
+
+   !> By which any temperature changes in this increment or changed in the last one [K/s].
+   pure real(dp) function fastest_warming(self, increment) result(rate)
+      class(domain_t), intent(in) :: self
+      !> This one [s]
+      real(dp), intent(in) :: increment
+
+      associate (now => self%iterate%value(temperature_slots(1), :), state => self%state)
+         rate = max(maxval(abs(now - state%value(temperature_slots(1), :)))/increment, &
+            maxval(abs(state%value(temperature_slots(1), :) - state%temperature_before))/state%time_increment)
+      end associate
+   end function fastest_warming
 
    !> Temperatures that strains, radii, gaps and elasticities see: those of the iterate when motions began to take their
    !> turn, or where motions are held those of the last increment that solved for motions (n_nodes) [K]. Their lag then

@@ -35,7 +35,8 @@ module litz_element_library
       integer, allocatable :: heated(:)
       real(dp), allocatable :: initial_temperature(:, :)
       !> Axial strain of the stress-free state from temperature, and what of the expansion of the material that is:
-      !> chord over reference length, as the chord grows and the angles of a bend do not (n_elements)
+      !> chord of the nodes over reference length, as the chord grows, and angles of a bend and arms of sections beside
+      !> the nodes do not (n_elements)
       real(dp), allocatable :: thermal_strain(:), straightness(:)
       !> Resistivity at mid length (n_elements) [ohm m]; 0 where there is no electric field
       real(dp), allocatable :: resistivity(:)
@@ -137,7 +138,7 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(out) :: elements
       type(beam_t) :: beam
-      real(dp) :: x0(3, 2), triads0(3, 3, 2)
+      real(dp) :: x0(3, 2), triads0(3, 3, 2), chord(3)
       integer :: e, n
 
       n = model%n_elements
@@ -158,11 +159,13 @@ contains
             beam = beam_of(model%element_type(e))
             elements%axes(e) = beam_axes_of(section)
             x0 = model%x(:, model%connectivity(:, e))
+            chord = x0(:, 2) - x0(:, 1)
             triads0 = wires%triads0(:, :, :, e)
             call axis_of_beam(elements%axes(e), x0, triads0)
             call beam%reference(x0, triads0, elements%length(e), elements%strain0(:, e))
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
-            elements%straightness(e) = norm2(x0(:, 2) - x0(:, 1))/elements%length(e)
+            elements%straightness(e) = dot_product(chord, x0(:, 2) - x0(:, 1))/(norm2(x0(:, 2) - x0(:, 1)) &
+               *elements%length(e))
          end associate
       end do
       elements%superconducting = [(allocated(model%materials(model%sections(model%element_section(e))%material) &

@@ -5,7 +5,7 @@ module litz_equation_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_of_slot, first_slot, motion_slots, n_slots, slot_of_dof
+   use litz_fields, only: fields, field_of_slot, first_slot, group_mechanical, motion_slots, n_slots, slot_of_dof
    use litz_model, only: n_nodes_of_deck
    use litz_term, only: term_t
    implicit none
@@ -42,7 +42,10 @@ contains
 
       associate (constraints => domain%iterate%constraints)
          do i = 1, constraints%n
-            if (.not. domain%loading%solves(field_of_slot(constraints%slot(i)))) cycle
+            ! motions that a step does not solve for are there, and held
+            associate (field => field_of_slot(constraints%slot(i)))
+               if (.not. domain%loading%solves(field) .and. fields(field)%group /= group_mechanical) cycle
+            end associate
             do k = constraints%start(i), constraints%start(i + 1) - 1
                exists(constraints%master_slot(k), constraints%master_node(k)) = .true.
             end do

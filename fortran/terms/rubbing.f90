@@ -7,15 +7,16 @@
 !>
 !> to the nodes of its wires, with the weights of the enthalpy, so that over a step the wires take up all that friction
 !> has done and no more, whatever the increments. Where friction sets in or ends, (1) would be far from the rate of
-!> either increment, and such an increment takes backward Euler, b = 0. Source: theory section 13.
+!> either increment, and such an increment takes backward Euler, b = 0. So do nodes of prescribed temperature, as what
+!> they store does. Source: theory section 13.
 module litz_rubbing
    use litz_kinds, only: dp
    implicit none
    private
-   public :: rubbing_t, is_abrupt, add_friction_heat, power_of
+   public :: rubbing_t, is_abrupt, add_heat_beyond, power_of
 
    !> The rate at a contact has jumped when it changes by this part of the larger one; contacts of less than this part
-   !> of all heat do not count
+   !> of all heat of friction, or that warm half an element at less than this part of the fastest rate, do not count
    real(dp), parameter :: largest_change = 0.5_dp, least_part = 0.01_dp
 
    !> A contact that has friction in this increment or had it in the last one.
@@ -29,6 +30,8 @@ module litz_rubbing
       real(dp) :: share(2) = 0.5_dp
       !> Heat that friction makes in this increment and made in the last one [J]
       real(dp) :: heat = 0, heat_before = 0
+      !> Heat that half of either element takes up per kelvin [J/K]
+      real(dp) :: capacity(2) = 0
       !> Node of a rigid surface with a temperature, and the one that moves the surface; 0: none
       integer :: node = 0, mover = 0
       !> How the heat of this increment on a rigid surface changes with the motions of the nodes of the wire and of the
@@ -39,16 +42,30 @@ module litz_rubbing
 contains
 
    !> Friction sets in or ends at a contact that matters.
-   pure logical function is_abrupt(rubbing, increment, before)
+   pure logical function is_abrupt(rubbing, increment, before, warming)
       type(rubbing_t), intent(in) :: rubbing(:)
       !> This increment and the last one [s]
       real(dp), intent(in) :: increment, before
+      !> By which any temperature changes, at most [K/s]
+      real(dp), intent(in) :: warming
       real(dp), dimension(size(rubbing)) :: now, earlier
+      integer :: i
 
       now = rubbing%heat/increment
       earlier = rubbing%heat_before/before
       is_abrupt = any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
-         least_part*sum(max(now, earlier)))
+         least_part*sum(max(now, earlier)) .and. [(matters(rubbing(i), abs(now(i) - earlier(i))), i=1, size(now))])
+
+   contains
+
+      pure logical function matters(this, jump)
+         type(rubbing_t), intent(in) :: this
+         !> Of the rate [W]
+         real(dp), intent(in) :: jump
+
+         matters = any(this%share*jump > least_part*warming*this%capacity .and. this%element > 0)
+      end function matters
+
    end function is_abrupt
 
    !> (1) [W].
@@ -62,11 +79,14 @@ contains
       power = (weights(1)*rubbing%heat - weights(2)*rubbing%heat_before)/increment
    end function power_of
 
-   !> What the nodes get of (1); `made` is the same by elements, with what their films take between the nodes.
-   pure subroutine add_friction_heat(rubbing, connectivity, weights, increment, leaving, made, through_film)
+   !> What the nodes get of (1) beyond backward Euler; `made` is the same by elements, with what their films take
+   !> between the nodes.
+   pure subroutine add_heat_beyond(rubbing, connectivity, is_led, weights, increment, leaving, made, through_film)
       type(rubbing_t), intent(in) :: rubbing(:)
       !> Nodes of the elements (2, n_elements)
       integer, intent(in) :: connectivity(:, :)
+      !> Nodes that have backward Euler (n_nodes)
+      logical, intent(in) :: is_led(:)
       !> a and b of (1)
       real(dp), intent(in) :: weights(2)
       !> [s]
@@ -75,22 +95,26 @@ contains
       real(dp), intent(inout) :: leaving(:)
       !> (n_elements) [W]
       real(dp), intent(inout) :: made(:), through_film(:)
-      real(dp) :: heat
-      integer :: i, side
+      real(dp) :: heat, enters(2)
+      integer :: i, side, k
 
       do i = 1, size(rubbing)
          do side = 1, 2
-            associate (part => rubbing(i)%part(:, side), e => rubbing(i)%element(side))
+            associate (part => rubbing(i)%part(:, side), e => rubbing(i)%element(side), xi => rubbing(i)%xi(side))
                if (e == 0) cycle
-               heat = rubbing(i)%share(side)*power_of(rubbing(i), weights, increment)
-               associate (nodes => connectivity(:, e))
-                  leaving(nodes) = leaving(nodes) - heat*part
-               end associate
-               made(e) = made(e) + heat
-               through_film(e) = through_film(e) + heat*(1 - sum(part))
+               heat = rubbing(i)%share(side)*power_of(rubbing(i), weights - [1, 0], increment)
+               enters = [1 - xi, 1 + xi]/2
+               do k = 1, 2
+                  associate (node => connectivity(k, e))
+                     if (is_led(node)) cycle
+                     leaving(node) = leaving(node) - heat*part(k)
+                  end associate
+                  made(e) = made(e) + heat*enters(k)
+                  through_film(e) = through_film(e) + heat*(enters(k) - part(k))
+               end do
             end associate
          end do
       end do
-   end subroutine add_friction_heat
+   end subroutine add_heat_beyond
 
 end module litz_rubbing

@@ -113,6 +113,24 @@ def test_wires_on_rigid_surfaces_have_the_elasticity_of_their_temperature(run):
     np.testing.assert_allclose(found["force"][last], expected["force"][last], rtol=1e-12)
 
 
+@pytest.mark.parametrize("shape", ["plane", "drum"])
+def test_a_wire_that_swells_on_a_rigid_surface_is_one_that_is_pressed_as_much(run, shape):
+    """Laws have the radius of the reference: only the overlap grows. On a drum the lens grows with it, which laws follow to
+    1e-4."""
+    text = on_a_floor("1.2e11, 0.34")
+    if shape == "drum":
+        text = text.replace("TYPE=PLANE\n 0, 0, -1e-3, 0, 0, 1", "TYPE=CYLINDER\n 0.05, 0, -11e-3, 0, 1, 0, 10e-3")
+    warm = solved(run(text)).surface_contacts
+    overlap = RADIUS * ALPHA * (90 - 20)
+    assert "*TEMPERATURE\nALL, 90" in text
+    pressed = solved(
+        run(text.replace("*TEMPERATURE\nALL, 90", f"*BOUNDARY\nALL, 3, 3, {-overlap:.17g}"), name="pressed")
+    )
+    forces = [found["force"][found["time"] == found["time"].max()].sum() for found in (warm, pressed.surface_contacts)]
+    assert forces[0] > 1
+    assert forces[0] == pytest.approx(forces[1], rel=1e-10 if shape == "plane" else 1e-4)
+
+
 @pytest.mark.parametrize("what", ["crossing", "floor"])
 def test_energy_balances_as_contacts_swell_and_soften(run, what):
     """Where no wire moves, all energy of a contact is the work of the temperature, which is a mean of both ends of an

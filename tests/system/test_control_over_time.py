@@ -119,6 +119,47 @@ class TestError:
         assert warning.kind == "first_increment"
         error = (ROOM - AROUND) * (1 / 2 - np.exp(-1))
         assert error < warning.worst < 1.2 * error
+        assert "come to rest" in warning.message
+        assert "change evenly are exact" in warning.message
+
+    def test_a_single_increment_is_one_of_more_than_error(self, run):
+        """Of a rise of half a kelvin: 0.15 K, where a thousandth of the temperature would be 0.3 K."""
+        rate = 20.0**2 * 1.72e-8 / (np.pi * RADIUS**2) ** 2 / (DENSITY * HEAT)
+        for error, n in ((0.1, 1), (0.2, 0)):
+            results = run(
+                f"{0.5 / rate:.17g}, {0.5 / rate:.17g}",
+                elements=2,
+                amperes=20.0,
+                procedure=f"{ELECTRICAL}, ERROR={error}",
+            )
+            assert len(results.warnings) == n
+            assert results.field("temperature")[0] - ROOM == pytest.approx(0.5, rel=1e-9)
+
+    @pytest.mark.parametrize("error", [1.0, 0.1, 0.01])
+    def test_what_sets_in_after_a_long_quiet_time_keeps_it(self, run, error):
+        """A power that rises from nothing within 3 ms, after increments a hundred times as long: the integral of it. Within an
+        increment it may set in at any time, half of what it makes."""
+        rate, rise = 3000.0, 3e-3
+        heat = f"*DFLUX, AMPLITUDE=SETS_IN\nWIRE, BF, {rate * DENSITY * HEAT:.17g}\n"
+        results = run("1e-5, 1.02", elements=2, amperes=0.0, heat=heat, procedure=f"{ELECTRICAL}, ERROR={error}",
+                      model=f"*AMPLITUDE, NAME=SETS_IN\n0, 0, 1, 0, {1 + rise}, 1, 2, 1\n")  # fmt: skip
+        late = results.times - 1
+        exact = rate * np.where(late < rise, np.maximum(late, 0) ** 2 / (2 * rise), late - rise / 2)
+        errors = results.field("temperature", increment=None)[:, 0] - ROOM - exact
+        assert np.diff(results.times)[results.times[1:] < 1].max() > 0.1
+        assert np.abs(np.diff(errors)).max() < 2 * error
+        assert not results.warnings
+
+    def test_an_increment_that_may_not_be_smaller_is_taken_with_a_warning(self, run):
+        rate = 1e6
+        heat = f"*DFLUX, AMPLITUDE=SETS_IN\nWIRE, BF, {rate * DENSITY * HEAT:.17g}\n"
+        results = run("1e-5, 1.0001, 1e-5", elements=2, amperes=0.0, heat=heat, procedure=f"{ELECTRICAL}, ERROR=0.01",
+                      model="*AMPLITUDE, NAME=SETS_IN\n0, 0, 1, 0, 1.00005, 1, 2, 1\n")  # fmt: skip
+        (warning,) = results.warnings
+        assert warning.kind == "smallest_increment"
+        assert warning.worst == pytest.approx(1e-5, rel=1e-6)
+        assert "ERROR=0.01" in warning.message
+        assert results.times[-1] == pytest.approx(1.0001)
 
     @pytest.mark.slow
     def test_a_run_that_melts_and_freezes_goes_on_from_every_increment(self, litz, tmp_path):

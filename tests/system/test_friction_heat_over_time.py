@@ -40,6 +40,7 @@ def deck(
     path=0.012,
     elements=20,
     gap=1e-6,
+    model="",
 ):
     """A wire that is dragged along another one, both held all over and without a way out for their heat but `held`; one more
     at a distance of `gap` from the lower one, which can be dragged, too."""
@@ -75,7 +76,7 @@ UPPER, LIGHT
 LOWER, ABOVE
 *INITIAL CONDITIONS, TYPE=TEMPERATURE
 ALL, {ROOM}
-*BOUNDARY
+{model}*BOUNDARY
 ALL, ENCASTRE
 *STEP
 *STATIC
@@ -161,12 +162,51 @@ def test_no_temperature_falls_below_that_of_the_ends(run, motion):
     assert temperatures.min() > ROOM - 0.03 * rise
 
 
+#: Force, and with it the heat of friction, that grows over the step
+GROWS = "*AMPLITUDE, NAME=PRESS\n0, 0.1, 0.4, 1\n*BOUNDARY, AMPLITUDE=PRESS\nUPPER, 3, 3, -1e-5\n" + RAMP
+
+
+@pytest.mark.parametrize("film", ["", "*FILM\nLOWER, F, 300, 1e4\n"])
+def test_heat_that_leaves_at_prescribed_temperatures_is_the_work_of_friction(run, film):
+    """All nodes keep their temperature, so that nothing is stored: in each increment they give off, or films take, what
+    friction does in it."""
+    keeps = f"*BOUNDARY\nALL, 11, 11, {ROOM}\n"
+    results = run("0.013, 0.4, , 0.071", GROWS, path=1e-3, elements=6, held=keeps + film)
+    work = np.diff(results.history["ALLFD"], prepend=0.0)
+    assert work.max() > 3 * work[work > 0].min()
+    spans = np.diff(results.times, prepend=0.0)
+    given = np.array([results.field("reaction_heat", i).sum() for i in range(len(spans))])
+    taken = np.array([results.field("surface_heat", i).sum() for i in range(len(spans))])
+    np.testing.assert_allclose((taken - given) * spans, work, rtol=1e-9, atol=1e-13)
+    assert (taken.max() > 0) == bool(film)
+
+
+def test_friction_of_no_consequence_does_not_change_the_order_elsewhere(run):
+    """A wire far away with a source and a film, T' = (T_end - T)/tau, beside one that rubs on and off and is heated by a
+    millionth of that."""
+    film, end, increments = 2e3, 40.0, 40
+    tau = DENSITY * HEAT * RADIUS / (2 * film)
+    far = wire(9001, "FAR", ((0, 0, 0.1), (0.02, 0, 0.1)), 2) + (
+        f"*BEAM SECTION, ELSET=FAR, MATERIAL=STEEL, SECTION=CIRC\n{RADIUS}\n*INITIAL CONDITIONS, TYPE=TEMPERATURE\n"
+        f"FAR, {ROOM}\n*BOUNDARY\n9001, ENCASTRE\n"
+    )
+    heated = f"*FILM\nFAR, F, {ROOM}, {film}\n*DFLUX\nFAR, BF, {end * 2 * film / RADIUS:.17g}\n"
+    worst = []
+    for path in (0, 1e-6):
+        results = run(f"{0.4 / increments}, 0.4", MOTIONS["to and fro"], path=path, elements=4, model=far, held=heated)
+        far_away = np.isclose(results.nodes[:, 2], 0.1)
+        late = results.times - results.times[-1] + 0.4
+        exact = ROOM + end * (1 - np.exp(-np.maximum(late, 0) / tau))
+        worst.append(np.abs(results.field("temperature", None)[:, far_away] - exact[:, None]).max())
+        assert (results.history["ALLFD"][-1] > 0) == (path > 0)
+    assert worst[1] == pytest.approx(worst[0], rel=1e-6)
+
+
 def test_friction_that_grows_steadily_is_of_second_order(run):
     """The force and so the heat grows with time: errors by the differences of halved increments, a quarter each time."""
-    grows = "*AMPLITUDE, NAME=PRESS\n0, 0.1, 0.4, 1\n*BOUNDARY, AMPLITUDE=PRESS\nUPPER, 3, 3, -1e-5\n" + RAMP
     hottest = []
     for increments in (20, 40, 80):
-        results = run(f"{0.4 / increments}, 0.4", grows, path=1e-3, elements=6)
+        results = run(f"{0.4 / increments}, 0.4", GROWS, path=1e-3, elements=6)
         hottest.append(results.field("temperature").max())
     first, second = np.abs(np.diff(hottest))
     assert hottest[-1] > ROOM + 0.1

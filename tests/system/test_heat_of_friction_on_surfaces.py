@@ -10,6 +10,7 @@ from test_restart import assert_goes_on_from_everywhere
 
 #: Of the wire along the surface over time; it sticks for the first 0.1 um
 MOTIONS = {
+    "steadily": "0, 0, 0.4, 1",
     "at once": "0, 0, 0.1, 1, 0.4, 1",
     "within the step": "0, 0, 0.1, 0, 0.2, 1, 0.4, 1",
     "to and fro": "0, 0, 0.1, 1, 0.2, 0, 0.4, 0",
@@ -98,6 +99,18 @@ def test_a_wire_that_rubs_evenly_under_a_film_is_as_warm_on_any_mesh(run):
         ends.append(temperature[0])
     assert ends[0] > ROOM + 1e-3
     assert ends[1:] == pytest.approx([ends[0]] * 2, abs=1e-9)
+
+
+def test_heat_that_leaves_at_prescribed_temperatures_is_the_part_of_the_work(run):
+    """All nodes keep their temperature, so that nothing is stored: in each increment they give off half of the work that
+    friction does in it, although that grows."""
+    press = "*AMPLITUDE, NAME=PRESS\n0, 0.1, 0.4, 1\n*BOUNDARY, AMPLITUDE=PRESS\nWIRE, 3, 3, -1e-5\n"
+    results = run("0.013, 0.4, , 0.071", "steadily", path=1e-3, step=press + f"*BOUNDARY\nWIRE, 11, 11, {ROOM}\n")
+    work = np.diff(results.history["ALLFD"], prepend=0.0)
+    assert work.max() > 3 * work[work > 0].min()
+    spans = np.diff(results.times, prepend=0.0)
+    given = np.array([-results.field("reaction_heat", i).sum() for i in range(len(spans))])
+    np.testing.assert_allclose(given * spans, work / 2, rtol=1e-9, atol=1e-13)
 
 
 def test_its_part_is_data(run):

@@ -257,6 +257,24 @@ def test_steps_that_solve_for_temperatures_have_local_axes(run):
         np.testing.assert_allclose(results[1].field(name), results[0].field(name), rtol=1e-9, atol=1e-12)
 
 
+def test_steps_that_hold_motions_have_local_axes(run):
+    """Between two that move: supports and loads along local axes are there, and wait."""
+    held = "*STEP\n*COUPLED THERMAL-ELECTRICAL, STEADY STATE\n0.5, 1\n*END STEP\n"
+    first, second = WARM.split("*END STEP\n*STEP")
+    cards = f"{first}*END STEP\n{held}*STEP{second}"
+    results = []
+    for turn, name in ((GLOBAL, "plain"), (TURN, "turned")):
+        wires = wire("W", straight((0, 0, 0), (LENGTH, 0, 0), 8) @ turn.T, element="B33")
+        results.append(finished(run, f"{wires}*NSET, NSET=ENDS\n 1, 9\n{rectangular('ENDS', turn)}{cards}", name))
+    assert_same_but_turned(*results, TURN, scale=1e-9, noise=1e-3)
+    for name in ("temperature", "potential", "reaction_heat"):
+        np.testing.assert_allclose(results[1].field(name), results[0].field(name), rtol=1e-9, atol=1e-12)
+    moved = results[1].field("displacement", increment=None)
+    np.testing.assert_array_equal(moved[-2], moved[-4])
+    assert abs(moved[-2]).max() > 1e-6
+    assert abs(moved[-1] - moved[-2]).max() > 1e-6
+
+
 def test_a_run_with_local_axes_goes_on_from_everywhere(litz, tmp_path):
     assert_goes_on_from_everywhere(litz, tmp_path, supported_frame(TURN).replace("*END STEP", KEEP_ALL + "*END STEP"))
 

@@ -14,13 +14,14 @@ SOFTENS, MELTS = 463.0, 1358.0
 STATIC = "*STATIC"
 
 
-def deck(volts, *, law=METAL, procedure=STATIC, later=""):
+def deck(volts, *, law=METAL, procedure=STATIC, later="", without=""):
     """Two wires between whose far ends there is a voltage."""
     text = crossing(2, "5.88e7", "1, 1", load=f"1001, 9, 9, {volts}\n", law=law)
     text = text.replace("*COUPLED THERMAL-ELECTRICAL", procedure)
     if procedure == STATIC:
         text = text.replace(f"ENDS, 11, 11, {ROOM}\n", "")
-    return text + later
+    assert without in text
+    return text.replace(without, "") + later
 
 
 @pytest.fixture
@@ -73,6 +74,22 @@ def test_metal_that_softens_is_a_warning(run):
     assert warning.kind == "hot_spot"
     assert warning.worst == pytest.approx(hottest(results.contacts_at(-1)["voltage_gap"][0], ROOM), rel=1e-9)
     assert SOFTENS < warning.worst < MELTS
+
+
+def test_it_is_told_where_a_model_has_no_temperatures(run):
+    """Holm's voltage gives the hottest place above the wires, of which nothing is known."""
+    results = run(0.5, law=f"{METAL}, TSOFT={SOFTENS}", without=f"*INITIAL CONDITIONS, TYPE=TEMPERATURE\nALL, {ROOM}\n")
+    (warning,) = results.warnings
+    assert warning.kind == "unwatched_spots"
+    assert "the model has no temperatures" in warning.message
+    assert "*INITIAL CONDITIONS, TYPE=TEMPERATURE" in warning.message
+
+
+def test_it_is_told_where_wires_do_not_conduct_heat(run):
+    """No spot without their conductivity; that of the wires beside it is known."""
+    results = run(0.5, law=f"{METAL}, TMELT={MELTS}", without=f"*CONDUCTIVITY\n{LAMBDA}\n")
+    (warning,) = (warning for warning in results.warnings if warning.kind == "unwatched_spots")
+    assert "*CONDUCTIVITY: elements of" in warning.message
 
 
 def test_metal_that_melts_ends_the_run(refused):

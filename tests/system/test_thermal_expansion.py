@@ -78,11 +78,24 @@ def test_a_free_wire_gets_longer_and_has_no_force(litz, tmp_path, element):
 
 @both_elements
 @pytest.mark.parametrize("turn", [1.5, 6.0])
-def test_a_curved_wire_that_is_free_grows_in_all_directions_alike(litz, tmp_path, element, turn):
-    """The chord of an element grows, the angles of its bend do not: it has no force, however coarse the mesh."""
+@pytest.mark.parametrize(
+    "section",
+    [
+        "CIRC\n 1e-3",
+        "RECT, OFFSET2=0.5\n1e-3, 0.6e-3\n0, 1, 0",
+        "RECT, OFFSET1=-0.3, OFFSET2=-0.4\n1e-3, 0.6e-3\n0, 1, 0",
+        "I\n0.1e-3, 1e-3, 0.6e-3, 0.6e-3, 0.1e-3, 0.1e-3, 0.1e-3\n0, 1, 0",
+    ],
+)
+def test_a_curved_wire_that_is_free_grows_in_all_directions_alike(litz, tmp_path, element, turn, section):
+    """The chord of an element grows, the angles of its bend do not: it has no force, however coarse the mesh, and wherever
+    its section lies."""
     angle = np.linspace(0, turn, 9)
     x = 0.03 * np.column_stack([np.sin(angle), np.zeros(9), 1 - np.cos(angle)])
     text = wire(element)
+    plain = "SECTION=CIRC\n 1e-3"
+    assert plain in text
+    text = text.replace(plain, f"SECTION={section}")
     nodes = "\n".join(f"{i}, {a:.17g}, 0, {c:.17g}" for i, (a, _, c) in enumerate(x, 1))
     before, after = text.index("*NODE, NSET=ALL\n") + len("*NODE, NSET=ALL\n"), text.index("\n*ELEMENT")
     results, _ = run(litz, tmp_path, text[:before] + nodes + text[after:])

@@ -154,7 +154,7 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     model.contact([side, more], behaviour=litz.Linear(1e5, penetration="UNLIMITED"), interference_fit=True)
     model.contact(lower, more, conductance=litz.PaperSpot(voltage="LINEAR"), name="SPOT1")
     model.contact(upper, more, conductance=litz.PlasticSpot(1e9, spot="LARGEST FORCE"))
-    model.contact(lower, conductance=litz.FilmSpot(1e-12))
+    model.contact(lower, conductance=litz.FilmSpot(1e-12), heat=litz.GapConductance(film=1e-7))
     model.contact(
         upper, behaviour=litz.NamedBehaviour("linear", [[2e5]]), conductance=litz.NamedSpot("constant", [[1e-3]])
     )

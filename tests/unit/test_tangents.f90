@@ -822,6 +822,8 @@ contains
       problem%contact%converged%history%last_dissipation = 1.0e-9_dp
       problem%state%temperature_before = problem%state%value(temperature_slots(1), :)
       do trial = 1, 3
+         ! some temperatures are prescribed, or not
+         problem%is_led(::2) = trial == 3
          call compare(name//' after an increment with it', problem, tolerance, 0.1_dp, warmer=1.0_dp)
       end do
    end subroutine check_heat_of_friction

@@ -318,8 +318,7 @@ class GapConductance(_Law):
     Attributes
     ----------
     law : {"CONDUCTIVITY", "METAL", "CONSTANT", "TABLE"}
-        `LAW` of `*GAP CONDUCTANCE`: by the heat conductivities of the wires, the same of Wiedemann-Franz metals, a given
-        heat conductance, or one over the contact force.
+        By the heat conductivities of the wires, the same of Wiedemann-Franz metals, given, or given over the contact force.
     data : sequence of sequences of float
         The heat conductance of CONSTANT ``[[h]]`` [W/K], or the lines ``[F, h]`` of TABLE [N, W/K].
     lorenz : float, optional
@@ -330,6 +329,8 @@ class GapConductance(_Law):
         A spot that melts is a warning, too.
     per_length : bool
         The heat conductance, and the force of TABLE, are per length of wires that touch along lines and on rigid surfaces.
+    film : float, optional
+        Resistance to heat of a film in the spot, times area, of CONDUCTIVITY and METAL [K m^2/W].
     """
 
     law: str = "CONDUCTIVITY"
@@ -339,6 +340,7 @@ class GapConductance(_Law):
     melting: float | None = None
     may_melt: bool = False
     per_length: bool = False
+    film: float | None = None
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -347,12 +349,10 @@ class GapConductance(_Law):
 
     def card(self) -> CardSpec:
         """The card of the law."""
-        per = "LENGTH" if self.per_length else None
-        given = {"LORENZ": self.lorenz, "TSOFT": self.softening, "TMELT": self.melting, "PER": per}
-        parameters = {"LAW": self.law.upper(), **{name: value for name, value in given.items() if value is not None}}
-        if self.may_melt:
-            parameters["MELTING"] = "WARN"
-        return "GAP CONDUCTANCE", parameters, [list(row) for row in self.data]
+        numbers = {"LORENZ": self.lorenz, "FILM": self.film, "TSOFT": self.softening, "TMELT": self.melting}
+        words = {"PER": "LENGTH" if self.per_length else None, "MELTING": "WARN" if self.may_melt else None}
+        given = {name: value for name, value in (numbers | words).items() if value is not None}
+        return "GAP CONDUCTANCE", {"LAW": self.law.upper(), **given}, [list(row) for row in self.data]
 
 
 # Friction
