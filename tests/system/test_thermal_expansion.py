@@ -76,18 +76,58 @@ def test_a_free_wire_gets_longer_and_has_no_force(litz, tmp_path, element):
     assert np.abs(results.history["ALLTW"]).max() < 1e-12 * YOUNG * AREA * LENGTH * (ALPHA * 100) ** 2
 
 
+def arc(element, angle, section=None, height=0.03):
+    """The wire as part of an ellipse of half axes of 30 mm and `height` in the plane of x and z, with nodes at these angles."""
+    x = np.column_stack([0.03 * np.sin(angle), np.zeros(len(angle)), height * (1 - np.cos(angle))])
+    text = wire(element)
+    nodes = "\n".join(f"{i}, {a:.17g}, 0, {c:.17g}" for i, (a, _, c) in enumerate(x, 1))
+    before, after = text.index("*NODE, NSET=ALL\n") + len("*NODE, NSET=ALL\n"), text.index("\n*ELEMENT")
+    text = text[:before] + nodes + text[after:]
+    return (text.replace("SECTION=CIRC\n 1e-3\n", f"SECTION={section}") if section else text), x
+
+
 @both_elements
 @pytest.mark.parametrize("turn", [1.5, 6.0])
 def test_a_curved_wire_that_is_free_grows_in_all_directions_alike(litz, tmp_path, element, turn):
     """The chord of an element grows, the angles of its bend do not: it has no force, however coarse the mesh."""
-    angle = np.linspace(0, turn, 9)
-    x = 0.03 * np.column_stack([np.sin(angle), np.zeros(9), 1 - np.cos(angle)])
-    text = wire(element)
-    nodes = "\n".join(f"{i}, {a:.17g}, 0, {c:.17g}" for i, (a, _, c) in enumerate(x, 1))
-    before, after = text.index("*NODE, NSET=ALL\n") + len("*NODE, NSET=ALL\n"), text.index("\n*ELEMENT")
-    results, _ = run(litz, tmp_path, text[:before] + nodes + text[after:])
+    text, x = arc(element, np.linspace(0, turn, 9))
+    results, _ = run(litz, tmp_path, text)
     np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
     assert np.abs(results.field("axial_force")).max() < ROUND_OFF * YOUNG * AREA
+
+
+#: Their centroid or shear centre lies beside the nodes, within the plane of the bend or out of it
+BESIDE = {
+    "inner": "RECT, OFFSET2=0.5\n 1e-3, 2e-3\n 0, 1, 0\n",
+    "outer": "RECT, OFFSET2=-0.5\n 1e-3, 2e-3\n 0, 1, 0\n",
+    "beside": "RECT, OFFSET1=0.5, OFFSET2=0.2\n 1e-3, 2e-3\n 0, 1, 0\n",
+    "I": "I\n 0.1e-3, 2e-3, 1e-3, 1e-3, 0.2e-3, 0.2e-3, 0.2e-3\n 0, 1, 0\n",
+    "box": "BOX\n 2e-3, 2e-3, 0.4e-3, 0.1e-3, 0.4e-3, 0.6e-3\n 0, 1, 0\n",
+    "L": "L\n 2e-3, 2e-3, 0.3e-3, 0.2e-3\n 0, 1, 0\n",
+}
+
+
+@both_elements
+@pytest.mark.parametrize("section", BESIDE)
+def test_a_curved_wire_beside_its_nodes_grows_as_they_do(litz, tmp_path, element, section):
+    """A free body of one temperature grows alike everywhere, wherever its nodes are.
+
+    Rigid arms do not grow, so that the axis at their ends grows by what the nodes do: its own length is by arm/R another
+    one.
+    """
+    text, x = arc(element, np.linspace(0, 1.5, 9), BESIDE[section])
+    results, _ = run(litz, tmp_path, text)
+    np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
+    assert np.abs(results.field("axial_force")).max() < 10 * ROUND_OFF * YOUNG * 2e-6
+
+
+@both_elements
+def test_a_curved_wire_of_unlike_elements_grows_alike(litz, tmp_path, element):
+    """A chord of an ellipse has other angles to the tangents of its ends: its shear strain grows, too."""
+    angle = np.array([0, 0.1, 0.35, 0.45, 0.7, 0.8, 1.05, 1.15, 1.4])
+    text, x = arc(element, angle, height=0.015)
+    results, _ = run(litz, tmp_path, text)
+    np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
 
 
 @both_elements
