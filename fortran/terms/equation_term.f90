@@ -5,7 +5,7 @@ module litz_equation_term
    use litz_kinds, only: dp
    use litz_domain, only: domain_t
    use litz_errors, only: error_t
-   use litz_fields, only: field_of_slot, first_slot, motion_slots, n_slots, slot_of_dof
+   use litz_fields, only: fields, field_of_slot, first_slot, group_mechanical, motion_slots, n_slots, slot_of_dof
    use litz_model, only: n_nodes_of_deck
    use litz_term, only: term_t
    implicit none
@@ -32,7 +32,8 @@ contains
       allocate (term%force(n), source=0.0_dp)
    end function new_equation_term
 
-   !> The unknowns are those that equations do not eliminate.
+   !> The unknowns are those that equations do not eliminate. Motions are unknowns in every step, held where it does not
+   !> solve for them.
    subroutine request_slots(self, domain, exists)
       class(equation_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain
@@ -42,7 +43,9 @@ contains
 
       associate (constraints => domain%iterate%constraints)
          do i = 1, constraints%n
-            if (.not. domain%loading%solves(field_of_slot(constraints%slot(i)))) cycle
+            associate (field => field_of_slot(constraints%slot(i)))
+               if (.not. (domain%loading%solves(field) .or. fields(field)%group == group_mechanical)) cycle
+            end associate
             do k = constraints%start(i), constraints%start(i + 1) - 1
                exists(constraints%master_slot(k), constraints%master_node(k)) = .true.
             end do
