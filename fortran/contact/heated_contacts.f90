@@ -175,6 +175,9 @@ contains
          end if
          heated%heat_shape = heated%shape
          if (.not. heated%conductance > 0) heated%heat_shape = elastic_shape(domain, law, point, pair, heated)
+         ! a place that has parted in its dent has no spot
+         heated%is_passed = heated%heat_shape(1) > 0
+         if (.not. heated%is_passed) return
          heated%is_metal = law%heat%number == heat_metal_law .and. heated%conductance > 0
          heated%lorenz = law%heat%lorenz
          heated%is_hot = law%supertemperature .and. heated%shape(1) > 0 .and. .not. heated%is_given
@@ -347,7 +350,8 @@ contains
       end do
    end subroutine follow_wiedemann_franz
 
-   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities [1/m].
+   !> c of the spot of elastic wires without a current: their heat conductivities are as good as conductivities [1/m];
+   !> 0: there is no spot.
    function elastic_shape(domain, law, point, pair, heated, row) result(shape)
       type(domain_t), intent(in) :: domain
       type(interaction_t), intent(in) :: law
@@ -373,6 +377,10 @@ contains
       end do
       thermal_pair%dresistivity = 0
       conductance = spot_conductance(domain, elastic, point, thermal_pair, row, shape)
+      if (.not. conductance > 0) then
+         shape = 0
+         return
+      end if
       shape = -shape/conductance**2
       if (present(row)) row = row/conductance
    end function elastic_shape
