@@ -28,8 +28,8 @@ module litz_surface_cells
    type :: wire_axis_t
       !> `axis_linear` or `axis_hermite` of litz_axis_choices
       integer :: interpolation = 0
-      !> Reference length and radius [m]
-      real(dp) :: length = 0, radius = 0
+      !> Reference length, radius as it has swollen, which gaps see, and reference radius, which laws take [m]
+      real(dp) :: length = 0, radius = 0, law_radius = 0
       !> Positions [m] and unit tangents of the nodes (3, 2), and the axis in powers of xi (3, 0:3) [m]
       real(dp) :: x(3, 2) = 0, t(3, 2) = 0, p(3, 0:3) = 0
    end type wire_axis_t
@@ -150,14 +150,14 @@ contains
       curvature = curvature_of_surface(surface)
       ! the direction in which the surface is curved, along and across the wire
       e = [dot_product(cross(surface%direction, normal), tangent), dot_product(surface%direction, tangent)]
-      relative%across = 1/axis%radius + curvature*e(2)**2
+      relative%across = 1/axis%law_radius + curvature*e(2)**2
       relative%of_surface = curvature*e(1)**2
-      relative%along = bend/max(1 + bend*axis%radius, 0.5_dp) + relative%of_surface
+      relative%along = bend/max(1 + bend*axis%law_radius, 0.5_dp) + relative%of_surface
       relative%mixed = curvature*e(1)*e(2)
       if (.not. relative%opening > 0) return
       relative%deepest = max(dent, axis%radius - distance) &
          + dot_product(normal, x1)**2/(2*relative%opening*dot_product(x1, x1))             ! delta + t^2/(2 k)
-      relative%deepest = max(0.0_dp, min(relative%deepest, deepest*axis%radius))
+      relative%deepest = max(0.0_dp, min(relative%deepest, deepest*axis%law_radius))
    end function curvature_of_cell
 
    !> Of a cylinder positive, of a bore negative [1/m].
@@ -175,7 +175,7 @@ contains
       real(dp), intent(in) :: young, poisson
       type(relative_curvature_t), intent(in) :: curvature
 
-      law = rigid_line(axis%radius, young, poisson, curvature)
+      law = rigid_line(axis%law_radius, young, poisson, curvature)
    end function law_of_cell
 
    !> Follow a law from now on.

@@ -78,7 +78,7 @@ contains
          do side = 1, 2
             if (.not. cell%has_end(side)) cycle
             there = material_at(domain%model, domain%elements, cell%element, 2.0_dp*side - 3)
-            laws(side) = rigid_end(axis%radius, there%young, there%poisson, law%line_penalty(), &
+            laws(side) = rigid_end(axis%law_radius, there%young, there%poisson, law%line_penalty(), &
                curvature_of_surface(surface))
             if (.not. tolerance > 0) cell%ends(side)%replaces_line = .false.
             call gap_at(surface, axis%p, axis%radius, 2.0_dp*side - 3, gap, unused_slope)
@@ -86,18 +86,18 @@ contains
                cell%ends(side)%replaces_line = .true.
                has_changed = .true.
             end if
-            if (law%yields()) cell%yielding%ends(side) = yielding_end(axis%radius, there%young, there%poisson, &
+            if (law%yields()) cell%yielding%ends(side) = yielding_end(axis%law_radius, there%young, there%poisson, &
                curvature_of_surface(surface), law%yield_stress, law%hardness)
          end do
          cell%ends%penalty = law%line_penalty()
       end associate
-      cell%ends%radius = axis%radius
+      cell%ends%radius = axis%law_radius
       cell%ends%length = axis%length
       if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
-         all(abs(curvature%opening - cell%ends%bend)*axis%radius <= tolerance)) return
+         all(abs(curvature%opening - cell%ends%bend)*axis%law_radius <= tolerance)) return
       cell%law_of_end = laws
       cell%ends%bend = curvature%opening
-      cell%ends%sphere = 1/(1/axis%radius + curvature%of_surface)
+      cell%ends%sphere = 1/(1/axis%law_radius + curvature%of_surface)
       cell%ends%cylinder = max(0.0_dp, curvature%along*cell%ends%sphere)
       has_changed = .true.
    end subroutine update_ends

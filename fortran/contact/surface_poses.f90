@@ -74,6 +74,7 @@ contains
          axis%interpolation = model%interactions(model%surface_pairs(pair)%interaction)%axis
          axis%length = domain%elements%length(element)
          axis%radius = domain%elements%radius(element)
+         axis%law_radius = model%sections(model%element_section(element))%contact_radius
          axis%x = x(:, node)
          do side = 1, 2
             axis%t(:, side) = matmul(rotation(:, :, node(side)), domain%wires%contact_tangents0(:, side, element))

@@ -313,6 +313,41 @@ def test_a_wire_swells_on_a_rigid_plane(litz, tmp_path):
     np.testing.assert_allclose(results.surface_contacts["force"][inner][-1], -gap * 1e10 * LENGTH / 8, rtol=1e-9)
 
 
+#: All of a wire is warmed by 100 K, in one step over temperatures that are given, and in one that solves for them
+WARMED = {
+    "given": {"static": "1, 1", "temperature": "ALL, 120"},
+    "in steps": {"static": "0.1, 1, 1e-4, 0.1", "temperature": "ALL, 120"},
+    "solved for": {"static": "0.25, 1, 1e-4, 0.25", "temperature": "ALL, 11, 11, 120"},
+}
+
+
+#: A plane and a drum of 10 mm below a wire
+BODIES = {"plane": "TYPE=PLANE\n 0, 0, {top!r}, 0, 0, 1", "drum": "TYPE=CYLINDER\n 0.05, 0, {centre!r}, 0, 1, 0, 0.01"}
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_swelling_presses_a_wire_on_a_surface_as_a_motion_does(litz, tmp_path, body):
+    """Laws take the reference radius, whatever the increments; gaps see the one that has swollen."""
+
+    def force(raised, **options):
+        top = -RADIUS + raised
+        contact = (
+            "*SURFACE INTERACTION, NAME=T\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n"
+            f"*RIGID SURFACE, NAME=BODY, {BODIES[body].format(top=top, centre=top - 0.01)}\n"
+            "*CONTACT PAIR, INTERACTION=T\n WIRE, BODY\n"
+        )
+        text = wire(supports="ALL, 1, 6", conductivity="*CONDUCTIVITY\n 400", **options)
+        if "11, 11" in options["temperature"]:
+            text = text.replace("*STATIC", "*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE")
+            text = text.replace("*TEMPERATURE", "*BOUNDARY")
+        results, _ = run(litz, tmp_path, text.replace("*INITIAL", f"{contact}*INITIAL"))
+        return results.surface_contacts_at(-1)["force"].sum()
+
+    expected = force(RADIUS * ALPHA * 100, temperature="ALL, 20")
+    for name, options in WARMED.items():
+        assert force(0.0, **options) == pytest.approx(expected, rel=1e-7), name
+
+
 @pytest.mark.slow
 def test_a_heated_run_goes_on_bit_for_bit(litz, tmp_path):
     text = wire(
