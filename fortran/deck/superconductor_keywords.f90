@@ -35,8 +35,9 @@ contains
       call k%add(number('STRAIN', 'axial strain of the filaments in a beam without strain, as by cool-down', &
          limit_none, '0'))
       call k%add_data([real_field('jc', 'A/m^2', 'critical current density', limit_not_negative), &
-         real_field('T', 'K', 'temperature, from absolute zero', limit_not_negative, required=.false.), &
-         real_field('B', 'N/(A m)', 'flux density', limit_not_negative, required=.false.)], when='LAW=TABLE', last=0)
+         real_field('T', 'K', 'temperature, from absolute zero; of several lines each has one', limit_not_negative, &
+         required=.false.), real_field('B', 'N/(A m)', 'flux density; of several lines each has one', &
+         limit_not_negative, required=.false.)], when='LAW=TABLE', last=0)
       call k%add_data([real_field('C', 'N/m^3', 'scaling constant', limit_positive), &
          real_field('Bc20', 'N/(A m)', 'upper critical flux density at 0 K without strain', limit_positive), &
          real_field('Tc0', 'K', 'critical temperature without flux and strain', limit_positive), &
