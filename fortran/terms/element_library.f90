@@ -190,8 +190,8 @@ contains
       real(dp) :: growth(6)
       real(dp) :: k(12, 12), r(12), energy, section_forces(6), strain(6), b(6, 12)
 
-      call beam%evaluate(x, triads, elements%length(e), elements%strain0(:, e), elements%stiffness(:, e), k, r, energy, &
-         section_forces, strain, b)
+      call beam%evaluate(x, triads, elements%length(e), elements%strain0(:, e), elements%stiffness(:, e), k, r, &
+         energy, section_forces, strain, b)
       growth = matmul(b(:, 7:9), chord)
    end function growth_of
 
