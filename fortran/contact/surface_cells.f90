@@ -157,7 +157,7 @@ contains
       if (.not. relative%opening > 0) return
       relative%deepest = max(dent, axis%radius - distance) &
          + dot_product(normal, x1)**2/(2*relative%opening*dot_product(x1, x1))             ! delta + t^2/(2 k)
-      relative%deepest = max(0.0_dp, min(relative%deepest, deepest*axis%radius))
+      relative%deepest = max(0.0_dp, min(relative%deepest, deepest*axis%law_radius))
    end function curvature_of_cell
 
    !> Of a cylinder positive, of a bore negative [1/m].

@@ -94,7 +94,7 @@ contains
       cell%ends%radius = axis%law_radius
       cell%ends%length = axis%length
       if (tolerance > 0 .and. all(abs(laws - cell%law_of_end) <= tolerance*maxval(laws)) .and. &
-         all(abs(curvature%opening - cell%ends%bend)*axis%radius <= tolerance)) return
+         all(abs(curvature%opening - cell%ends%bend)*axis%law_radius <= tolerance)) return
       cell%law_of_end = laws
       cell%ends%bend = curvature%opening
       cell%ends%sphere = 1/(1/axis%law_radius + curvature%of_surface)

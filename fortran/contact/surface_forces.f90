@@ -151,7 +151,7 @@ contains
       real(dp) :: unused
       integer :: i
 
-      way = min(beside_end*axis%radius, axis%length/4)
+      way = min(beside_end*axis%law_radius, axis%length/4)
       place = (2.0_dp*end - 3)*[1.0_dp, 1 - 2*way/axis%length]
       do i = 1, 2
          call gap_at(surface, axis%p, axis%radius, place(i), gap(i), unused)

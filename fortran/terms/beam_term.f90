@@ -153,12 +153,12 @@ contains
          do i = 1, size(heated)
             if (there%place(heated(i)) == 0) cycle
             by_temperature = beam_by_temperature(domain%model, domain%elements, heated(i))
-            there%strain_by_temperature(there%place(heated(i))) = -by_temperature%thermal_strain
+            there%strain_by_temperature(there%place(heated(i))) = -by_temperature%thermal_strain(1)
          end do
       end associate
    end subroutine tell_strains
 
-   !> What temperatures do to the forces, `L B^T (C' e - C i_1 e_T')`, half of it by each node. Source: theory (14.2).
+   !> What temperatures do to the forces, `L B^T (C' e - C g e_T')`, half of it by each node. Source: theory (14.2).
    subroutine add_temperatures(self, domain)
       class(beam_term_t), intent(in) :: self
       type(domain_t), intent(inout) :: domain
@@ -187,8 +187,7 @@ contains
       type(heated_beam_t) :: by_temperature
 
       by_temperature = beam_by_temperature(domain%model, domain%elements, e)
-      slope = by_temperature%rigidity*self%strain(:, e)
-      slope(1) = slope(1) - domain%elements%rigidity(1, e)*by_temperature%thermal_strain
+      slope = by_temperature%rigidity*self%strain(:, e) - domain%elements%rigidity(:, e)*by_temperature%thermal_strain
    end function forces_by_temperature
 
    !> `L B^T (sigma - C e)` at the nodes: what belongs to the geometric stiffness of the arms of rigid bodies, too.
@@ -285,12 +284,12 @@ contains
                   sum(temperature(domain%model%connectivity(:, e)))/2)
                strain = along_principal_axes(elements%axes(e), domain%state%section_forces(:, e))/before%rigidity
                work = work - energy_of(length, before%rigidity, strain) &
-                  + energy_of(length, elements%rigidity(:, e), axially_less(strain, elements%thermal_strain(e) &
-                  - before%thermal_strain))
+                  + energy_of(length, elements%rigidity(:, e), strain - elements%thermal_strain(:, e) &
+                  + before%thermal_strain)
                strain = self%strain(:, e)
                work = work + energy_of(length, elements%rigidity(:, e), strain) &
-                  - energy_of(length, before%rigidity, axially_less(strain, before%thermal_strain &
-                  - elements%thermal_strain(e)))
+                  - energy_of(length, before%rigidity, strain - before%thermal_strain &
+                  + elements%thermal_strain(:, e))
             end associate
          end do
       end associate
@@ -303,15 +302,6 @@ contains
 
       energy_of = length/2*dot_product(rigidity*strain, strain)
    end function energy_of
-
-   pure function axially_less(strain, thermal_strain) result(less)
-      !> Strains (6), and what is taken from the axial one
-      real(dp), intent(in) :: strain(6), thermal_strain
-      real(dp) :: less(6)
-
-      less = strain
-      less(1) = strain(1) - thermal_strain
-   end function axially_less
 
    subroutine accept(self, domain)
       class(beam_term_t), intent(inout) :: self

@@ -34,10 +34,9 @@ module litz_element_library
       !> first step (2, n) [K]
       integer, allocatable :: heated(:)
       real(dp), allocatable :: initial_temperature(:, :)
-      !> Axial strain of the stress-free state from temperature, and what of the expansion of the material that is:
-      !> chord of the nodes over reference length, as the chord grows, and angles of a bend and arms of sections beside
-      !> the nodes do not (n_elements)
-      real(dp), allocatable :: thermal_strain(:), straightness(:)
+      !> Strains of the stress-free state from temperature, and what the expansion of the material is multiplied by for
+      !> them: how they grow as the nodes move apart and their triads stay (6, n_elements)
+      real(dp), allocatable :: thermal_strain(:, :), growth(:, :)
       !> Resistivity at mid length (n_elements) [ohm m]; 0 where there is no electric field
       real(dp), allocatable :: resistivity(:)
       !> Elements with superconducting filaments (n_elements)
@@ -58,8 +57,7 @@ module litz_element_library
    !> What depends on the temperature in the mechanics of an element.
    type :: heated_beam_t
       !> As in `elements_t` (6)
-      real(dp) :: stiffness(6) = 0, rigidity(6) = 0
-      real(dp) :: thermal_strain = 0
+      real(dp) :: stiffness(6) = 0, rigidity(6) = 0, thermal_strain(6) = 0
    end type heated_beam_t
 
    !> The material at a place of a wire.
@@ -138,14 +136,15 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(out) :: elements
       type(beam_t) :: beam
-      real(dp) :: x0(3, 2), triads0(3, 3, 2), chord(3)
+      real(dp) :: x0(3, 2), triads0(3, 3, 2)
       integer :: e, n
 
       n = model%n_elements
       allocate (elements%axes(n), elements%length(n), elements%strain0(6, n), elements%stiffness(6, n), &
          elements%rigidity(6, n), elements%resistivity(n), elements%area(n), elements%radius(n), &
-         elements%shear_flexible(n), elements%straightness(n))
-      allocate (elements%thermal_strain(n), elements%taper(n), source=0.0_dp)
+         elements%shear_flexible(n), elements%growth(6, n))
+      allocate (elements%thermal_strain(6, n), source=0.0_dp)
+      allocate (elements%taper(n), source=0.0_dp)
       do e = 1, n
          associate (section => model%sections(model%element_section(e)))
             associate (material => model%materials(section%material))
@@ -159,13 +158,12 @@ contains
             beam = beam_of(model%element_type(e))
             elements%axes(e) = beam_axes_of(section)
             x0 = model%x(:, model%connectivity(:, e))
-            chord = x0(:, 2) - x0(:, 1)
             triads0 = wires%triads0(:, :, :, e)
             call axis_of_beam(elements%axes(e), x0, triads0)
             call beam%reference(x0, triads0, elements%length(e), elements%strain0(:, e))
             elements%rigidity(:, e) = beam%rigidities(elements%stiffness(:, e), elements%length(e))
-            elements%straightness(e) = dot_product(chord, x0(:, 2) - x0(:, 1))/(norm2(x0(:, 2) - x0(:, 1)) &
-               *elements%length(e))
+            elements%growth(:, e) = growth_of(beam, elements, e, x0, triads0, model%x(:, model%connectivity(2, e)) &
+               - model%x(:, model%connectivity(1, e)))
          end associate
       end do
       elements%superconducting = [(allocated(model%materials(model%sections(model%element_section(e))%material) &
@@ -177,6 +175,25 @@ contains
          model%element_section(e))%material)), e=1, n)])
       allocate (elements%temperature(2, n), elements%mechanical_temperature(2, n), source=0.0_dp)
    end subroutine prepare_elements
+
+   !> How the strains of the stress-free state grow with the distances of a body that grows alike everywhere: those of
+   !> its nodes. Where the axis lies on rigid arms, its length is another one.
+   pure function growth_of(beam, elements, e, x, triads, chord) result(growth)
+      type(beam_t), intent(in) :: beam
+      type(elements_t), intent(in) :: elements
+      !> Element
+      integer, intent(in) :: e
+      !> Axis of the kernel in the stress-free state: its ends (3, 2) [m], and their triads (3, 3, 2)
+      real(dp), intent(in) :: x(3, 2), triads(3, 3, 2)
+      !> From the first node to the second (3) [m]
+      real(dp), intent(in) :: chord(3)
+      real(dp) :: growth(6)
+      real(dp) :: k(12, 12), r(12), energy, section_forces(6), strain(6), b(6, 12)
+
+      call beam%evaluate(x, triads, elements%length(e), elements%strain0(:, e), elements%stiffness(:, e), k, r, &
+         energy, section_forces, strain, b)
+      growth = matmul(b(:, 7:9), chord)
+   end function growth_of
 
    !> Properties at the present temperatures; the mechanics is that of the last motions where these are held.
    subroutine heat_elements(model, temperature, mechanical_temperature, elements)
@@ -204,7 +221,7 @@ contains
             beam = beam_at_temperature(model, elements, i, mean)
             elements%stiffness(:, e) = beam%stiffness
             elements%rigidity(:, e) = beam%rigidity
-            elements%thermal_strain(e) = beam%thermal_strain
+            elements%thermal_strain(:, e) = beam%thermal_strain
             associate (section => model%sections(model%element_section(e)))
                swelling = end_swelling(model, elements, i, mechanical_temperature)
                elements%radius(e) = section%contact_radius + sum(swelling)/2
@@ -297,7 +314,7 @@ contains
          associate (section => model%sections(model%element_section(e)))
             elasticity = elasticity_at(model%materials(section%material), temperature)
             heated%stiffness = section_stiffness(section, elasticity(1), elasticity(2))
-            heated%thermal_strain = elements%straightness(e)*thermal_strain(model%materials(section%material), &
+            heated%thermal_strain = elements%growth(:, e)*thermal_strain(model%materials(section%material), &
                temperature, sum(elements%initial_temperature(:, i))/2)
          end associate
          beam = beam_of(model%element_type(e))
@@ -320,7 +337,7 @@ contains
             elasticity = elasticity_at(material, mean)
             change = elasticity_slope(material, mean)
             slope%stiffness = section_stiffness_slope(section, elasticity(1), elasticity(2), change(1), change(2))
-            slope%thermal_strain = elements%straightness(e)*thermal_strain_slope(material, mean)
+            slope%thermal_strain = elements%growth(:, e)*thermal_strain_slope(material, mean)
          end associate
       end associate
       ! linear in the stiffnesses
@@ -435,8 +452,7 @@ contains
       integer, intent(in) :: e
       real(dp) :: strain(6)
 
-      strain = elements%strain0(:, e)
-      strain(1) = strain(1) + elements%thermal_strain(e)
+      strain = elements%strain0(:, e) + elements%thermal_strain(:, e)
    end function stress_free
 
 end module litz_element_library

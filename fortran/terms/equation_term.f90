@@ -32,7 +32,8 @@ contains
       allocate (term%force(n), source=0.0_dp)
    end function new_equation_term
 
-   !> The unknowns are those that equations do not eliminate.
+   !> The unknowns are those that equations do not eliminate. Motions are unknowns in every step, held where it does not
+   !> solve for them.
    subroutine request_slots(self, domain, exists)
       class(equation_term_t), intent(in) :: self
       type(domain_t), intent(in) :: domain

@@ -5,7 +5,7 @@ import math
 import pytest
 from verification.references.parallel_wires import ParallelWires, PressedWire
 
-from line_wires import COPPER, HERTZ, pressed, spot
+from line_wires import COPPER, HERTZ, lowered, pressed, spot
 from run_of_deck import run_of_deck
 from test_strips_of_one_wire import parallel
 
@@ -66,6 +66,22 @@ def test_heat_passes_between_unlike_wires_as_the_current_does(run):
     # places have lumps of heat
     expected = KELVINS * LENGTH / (1 / per_length + inside)
     assert entering(results, "reaction_heat") == pytest.approx(expected, rel=3e-3)
+
+
+@pytest.mark.parametrize("current", [spot("HERTZ"), ""])
+def test_wires_that_part_in_their_dent_pass_no_heat(run, current):
+    """Their overlap is not that of the nodes any more: where they have yielded they do not touch."""
+    step = f" LOWER, 11, 11, {ROOM}\n UPPER, 11, 11, {ROOM + KELVINS}\n"
+    deck = unlike_wires(f"{current}*GAP CONDUCTANCE, LAW=CONDUCTIVITY\n", step)
+    deck = deck.replace(HERTZ, HERTZ.replace("HERTZ", "HERTZ, YIELD=60e6"))
+    deck = deck.replace(f"-{OVERLAP:.17g}", "-3e-6")
+    before, heating = deck.split("*STEP\n*COUPLED")
+    results = run(before + lowered(5e-7) + "*STEP\n*COUPLED" + heating)
+    contacts = results.contacts
+    assert contacts["force"][contacts["step"] == 1].sum() > 100
+    assert not (contacts["step"] > 1).any()
+    # along the wires nothing flows
+    assert abs(results.field("reaction_heat", len(results.times) - 1)).max() < 1e-9 * KELVINS * COPPER.radius
 
 
 def given_along(deck, given):

@@ -245,12 +245,25 @@ WARM = f"""\
 """
 
 
-def test_steps_that_solve_for_temperatures_have_local_axes(run):
+#: Motions are held
+HELD = """\
+*STEP
+*COUPLED THERMAL-ELECTRICAL, STEADY STATE
+ 1, 1
+*BOUNDARY
+ 9, 11, 11, 400
+*END STEP
+"""
+
+
+@pytest.mark.parametrize("held", ["", HELD])
+def test_steps_that_solve_for_temperatures_have_local_axes(run, held):
     """Temperatures, potentials and currents have no direction, and stay at the nodes of the deck."""
     results = []
+    warm = WARM.replace("*STEP, INC=200\n*STATIC", f"{held}*STEP, INC=200\n*STATIC")
     for turn, name in ((GLOBAL, "plain"), (TURN, "turned")):
         wires = wire("W", straight((0, 0, 0), (LENGTH, 0, 0), 8) @ turn.T, element="B33")
-        results.append(finished(run, f"{wires}*NSET, NSET=ENDS\n 1, 9\n{rectangular('ENDS', turn)}{WARM}", name))
+        results.append(finished(run, f"{wires}*NSET, NSET=ENDS\n 1, 9\n{rectangular('ENDS', turn)}{warm}", name))
     # moments are those that residuals leave
     assert_same_but_turned(*results, TURN, scale=1e-9, noise=1e-3)
     for name in ("temperature", "potential", "reaction_heat"):

@@ -76,31 +76,58 @@ def test_a_free_wire_gets_longer_and_has_no_force(litz, tmp_path, element):
     assert np.abs(results.history["ALLTW"]).max() < 1e-12 * YOUNG * AREA * LENGTH * (ALPHA * 100) ** 2
 
 
-@both_elements
-@pytest.mark.parametrize("turn", [1.5, 6.0])
-@pytest.mark.parametrize(
-    "section",
-    [
-        "CIRC\n 1e-3",
-        "RECT, OFFSET2=0.5\n1e-3, 0.6e-3\n0, 1, 0",
-        "RECT, OFFSET1=-0.3, OFFSET2=-0.4\n1e-3, 0.6e-3\n0, 1, 0",
-        "I\n0.1e-3, 1e-3, 0.6e-3, 0.6e-3, 0.1e-3, 0.1e-3, 0.1e-3\n0, 1, 0",
-    ],
-)
-def test_a_curved_wire_that_is_free_grows_in_all_directions_alike(litz, tmp_path, element, turn, section):
-    """The chord of an element grows, the angles of its bend do not: it has no force, however coarse the mesh, and wherever
-    its section lies."""
-    angle = np.linspace(0, turn, 9)
-    x = 0.03 * np.column_stack([np.sin(angle), np.zeros(9), 1 - np.cos(angle)])
+def arc(element, angle, section=None, height=0.03):
+    """The wire as part of an ellipse of half axes of 30 mm and `height` in the plane of x and z, with nodes at these angles."""
+    x = np.column_stack([0.03 * np.sin(angle), np.zeros(len(angle)), height * (1 - np.cos(angle))])
     text = wire(element)
-    plain = "SECTION=CIRC\n 1e-3"
-    assert plain in text
-    text = text.replace(plain, f"SECTION={section}")
     nodes = "\n".join(f"{i}, {a:.17g}, 0, {c:.17g}" for i, (a, _, c) in enumerate(x, 1))
     before, after = text.index("*NODE, NSET=ALL\n") + len("*NODE, NSET=ALL\n"), text.index("\n*ELEMENT")
-    results, _ = run(litz, tmp_path, text[:before] + nodes + text[after:])
+    text = text[:before] + nodes + text[after:]
+    return (text.replace("SECTION=CIRC\n 1e-3\n", f"SECTION={section}") if section else text), x
+
+
+@both_elements
+@pytest.mark.parametrize("turn", [1.5, 6.0])
+def test_a_curved_wire_that_is_free_grows_in_all_directions_alike(litz, tmp_path, element, turn):
+    """The chord of an element grows, the angles of its bend do not: it has no force, however coarse the mesh."""
+    text, x = arc(element, np.linspace(0, turn, 9))
+    results, _ = run(litz, tmp_path, text)
     np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
     assert np.abs(results.field("axial_force")).max() < ROUND_OFF * YOUNG * AREA
+
+
+#: Their centroid or shear centre lies beside the nodes, within the plane of the bend or out of it
+BESIDE = {
+    "inner": "RECT, OFFSET2=0.5\n 1e-3, 2e-3\n 0, 1, 0\n",
+    "outer": "RECT, OFFSET2=-0.5\n 1e-3, 2e-3\n 0, 1, 0\n",
+    "beside": "RECT, OFFSET1=0.5, OFFSET2=0.2\n 1e-3, 2e-3\n 0, 1, 0\n",
+    "I": "I\n 0.1e-3, 2e-3, 1e-3, 1e-3, 0.2e-3, 0.2e-3, 0.2e-3\n 0, 1, 0\n",
+    "box": "BOX\n 2e-3, 2e-3, 0.4e-3, 0.1e-3, 0.4e-3, 0.6e-3\n 0, 1, 0\n",
+    "L": "L\n 2e-3, 2e-3, 0.3e-3, 0.2e-3\n 0, 1, 0\n",
+}
+
+
+@both_elements
+@pytest.mark.parametrize("section", BESIDE)
+def test_a_curved_wire_beside_its_nodes_grows_as_they_do(litz, tmp_path, element, section):
+    """A free body of one temperature grows alike everywhere, wherever its nodes are.
+
+    Rigid arms do not grow, so that the axis at their ends grows by what the nodes do: its own length is by arm/R another
+    one.
+    """
+    text, x = arc(element, np.linspace(0, 1.5, 9), BESIDE[section])
+    results, _ = run(litz, tmp_path, text)
+    np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
+    assert np.abs(results.field("axial_force")).max() < 10 * ROUND_OFF * YOUNG * 2e-6
+
+
+@both_elements
+def test_a_curved_wire_of_unlike_elements_grows_alike(litz, tmp_path, element):
+    """A chord of an ellipse has other angles to the tangents of its ends: its shear strain grows, too."""
+    angle = np.array([0, 0.1, 0.35, 0.45, 0.7, 0.8, 1.05, 1.15, 1.4])
+    text, x = arc(element, angle, height=0.015)
+    results, _ = run(litz, tmp_path, text)
+    np.testing.assert_allclose(results.field("displacement"), ALPHA * 100 * x, atol=ROUND_OFF * 0.03)
 
 
 @both_elements
@@ -284,6 +311,41 @@ def test_a_wire_swells_on_a_rigid_plane(litz, tmp_path):
     inner = results.surface_contacts["element"] == 4
     np.testing.assert_allclose(results.surface_contacts["gap"][inner][-1], gap, rtol=1e-9)
     np.testing.assert_allclose(results.surface_contacts["force"][inner][-1], -gap * 1e10 * LENGTH / 8, rtol=1e-9)
+
+
+#: All of a wire is warmed by 100 K, in one step over temperatures that are given, and in one that solves for them
+WARMED = {
+    "given": {"static": "1, 1", "temperature": "ALL, 120"},
+    "in steps": {"static": "0.1, 1, 1e-4, 0.1", "temperature": "ALL, 120"},
+    "solved for": {"static": "0.25, 1, 1e-4, 0.25", "temperature": "ALL, 11, 11, 120"},
+}
+
+
+#: A plane and a drum of 10 mm below a wire
+BODIES = {"plane": "TYPE=PLANE\n 0, 0, {top!r}, 0, 0, 1", "drum": "TYPE=CYLINDER\n 0.05, 0, {centre!r}, 0, 1, 0, 0.01"}
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_swelling_presses_a_wire_on_a_surface_as_a_motion_does(litz, tmp_path, body):
+    """Laws take the reference radius, whatever the increments; gaps see the one that has swollen."""
+
+    def force(raised, **options):
+        top = -RADIUS + raised
+        contact = (
+            "*SURFACE INTERACTION, NAME=T\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ\n"
+            f"*RIGID SURFACE, NAME=BODY, {BODIES[body].format(top=top, centre=top - 0.01)}\n"
+            "*CONTACT PAIR, INTERACTION=T\n WIRE, BODY\n"
+        )
+        text = wire(supports="ALL, 1, 6", conductivity="*CONDUCTIVITY\n 400", **options)
+        if "11, 11" in options["temperature"]:
+            text = text.replace("*STATIC", "*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE")
+            text = text.replace("*TEMPERATURE", "*BOUNDARY")
+        results, _ = run(litz, tmp_path, text.replace("*INITIAL", f"{contact}*INITIAL"))
+        return results.surface_contacts_at(-1)["force"].sum()
+
+    expected = force(RADIUS * ALPHA * 100, temperature="ALL, 20")
+    for name, options in WARMED.items():
+        assert force(0.0, **options) == pytest.approx(expected, rel=1e-7), name
 
 
 @pytest.mark.slow
