@@ -153,7 +153,7 @@ contains
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
       type(own_t) :: own
-      real(dp) :: half_length, radius
+      real(dp) :: half_length, lap, radius
 
       ! an iterate in which the wires have passed each other tells nothing
       if (.not. point%kinematics%distance > 0) return
@@ -168,7 +168,8 @@ contains
       end if
       radius = minval(point%radius)
       half_length = half_length_of(point, deepest*radius)
-      point%section_share = point%history%dent%share_of_section(share_of_line(half_length/radius))
+      lap = lap_at_crossing(wires, elements, point)
+      point%section_share = point%history%dent%share_of_section(share_of_line(min(half_length, lap)/radius))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
       point%spot_section = max(point%section_share, share_of_kept(point, radius))
@@ -177,7 +178,7 @@ contains
       point%lens_share = share_at_crossing(law, point, point%kinematics%angle)
       own%line_share = line_share_at(wires, elements, contact, by_place, point)
       ! as far as a lens is part of a longer overlap, only ends bound that
-      own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), lap_at_crossing(wires, elements, point))
+      own%length = min(half_length/max(1 - point%long_share, epsilon(radius)), lap)
       own%sine = (1 - point%lens_share)*sine_of_bends(point, point%kinematics%angle) &
          + point%lens_share*point%lens_sine
       call share_on_legs(law, wires, elements, contact, by_place, own, point)

@@ -5,7 +5,7 @@
 module litz_shares_at_ends
    use litz_kinds, only: dp
    use litz_bent_contacts, only: feels_bends, sine_of_bends
-   use litz_contact_lens, only: half_length_of, half_length_on, angle_of_axes, flatness, least_bend, deepest, &
+   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, &
       least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
@@ -53,13 +53,31 @@ contains
       point%lens_sine = sine_at_end(point, longest*radius)
       if (.not. any(point%held .and. .not. point%at_end)) then
          point%section_share = 0
-         if (.not. law%line_penalty() > 0) point%section_share = share_of_line(half_length_of(point, deepest*radius) &
+         if (.not. law%line_penalty() > 0) point%section_share = share_of_line(length_of_end(wires, elements, point) &
             /radius)
       end if
       point%lens_share = share_of_lens(law, point, angle_of_axes(point))
       call share_on_legs(law, wires, elements, contact, by_place, own_t(), point)
       if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
    end subroutine share_end
+
+   !> How far the overlap of an end reaches along both wires, until one of them ends [m].
+   pure real(dp) function length_of_end(wires, elements, point) result(length)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+      integer :: i, j
+
+      length = 0
+      do i = 1, size(point%legs)
+         do j = 1, size(point%legs)
+            associate (bar => point%legs(i), leg => point%legs(j))
+               if (is_contact_of(bar, leg)) length = max(length, min(half_length_on(point, bar, leg, &
+                  deepest*minval(point%radius)), lap_on(wires, elements, point, bar, leg)))
+            end associate
+         end do
+      end do
+   end function length_of_end
 
    !> What a contact carries: of each of its legs, by what its cylinder has of the force, all but the share of the
    !> places there. Next to a joint these are the stretch on which it lies and the legs beyond the joint. The law sees
@@ -73,7 +91,8 @@ contains
       !> Of a crossing
       type(own_t), intent(in) :: own
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: part, parts, of_crossing, of_cylinders, of_ends, length, sine, left, over_sine, section, of_sections
+      real(dp) :: part, parts, of_crossing, of_cylinders, of_ends, length, lap, sine, left, over_sine, section
+      real(dp) :: of_sections
       integer :: i, j
 
       if (.not. allocated(point%legs)) then
@@ -100,10 +119,10 @@ contains
                   of_crossing = 1 - line_share_on(wires, elements, contact, by_place, bar, leg)
                   length = half_length_on(point, bar, leg, deepest*minval(point%radius))
                   section = 0
-                  if (.not. law%line_penalty() > 0) section = share_of_line(length/minval(point%radius))
+                  lap = lap_on(wires, elements, point, bar, leg)
+                  if (.not. law%line_penalty() > 0) section = share_of_line(min(length, lap)/minval(point%radius))
                   ! as far as it is part of a longer overlap, only ends bound that
-                  length = min(length/max(1 - point%long_share, epsilon(length)), &
-                     lap_on(wires, elements, point, bar, leg))
+                  length = min(length/max(1 - point%long_share, epsilon(length)), lap)
                   sine = sine_on(law, point, bar, leg)
                end if
                ! equal parts where no cylinder has any, or places carry all
