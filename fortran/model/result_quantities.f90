@@ -67,8 +67,8 @@ contains
          state%element_current, 'EPG', 'current')
       call add(list, on_cells, 'current_density', 'A/m^2', &
          'current per area of the cross-section, from the first to the second node', state%current_density)
-      call add(list, on_cells, 'joule_heat', 'W', 'heat from the current in the element', state%joule_heat, 'JOULE', &
-         is_sum=.true.)
+      call add(list, on_cells, 'joule_heat', 'W', 'electric power in the element, which heats it (*JOULE HEAT'// &
+         ' FRACTION)', state%joule_heat, 'JOULE', is_sum=.true.)
       if (state%has_field(field_potential)) then
          call add(list, on_cells, 'resistivity', 'ohm m', 'resistivity of the metal at its temperature; 0: it does'// &
             ' not conduct', state%metal, 1, 1)
