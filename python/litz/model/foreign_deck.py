@@ -27,6 +27,7 @@ from .multi_point_constraints import constraints_as_rigid_bodies
 from .smooth_steps import smooth_steps_as_tables
 from .steps_at_once import steps_at_once
 from .unused_definitions import unused_definitions
+from .weights_of_steps import keep_weights_of_earlier_steps
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
 
@@ -79,7 +80,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     path : Path
         The deck.
     dialect : {"abaqus", "ccx"}, optional
-        Whose it is; needed where it has round sections, or loads P1 or P2.
+        Whose it is; needed where it has round sections, loads P1 or P2, or GRAV in several steps.
     units : dict, optional
         Labels of `*UNITS`, such as `{"LENGTH": "mm"}`, where the deck has none.
 
@@ -115,6 +116,7 @@ def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | Non
     for change in (distributing_couplings_as_equations(cards), constraints_as_rigid_bodies(cards, dialect, path)):
         converted.tell(change)
     converted.tell(remove_foreign_parameters(cards))
+    converted.ignored += keep_weights_of_earlier_steps(cards, dialect, path)
     converted.ignored += [*smooth_steps_as_tables(cards), *steps_at_once(cards), *history_requests_as_prints(cards)]
     converted.left_out += pressures_as_forces(cards, dialect, path)
     surfaces = list(surfaces_as_sets(cards))
