@@ -129,12 +129,10 @@ contains
                   self%change(a:b, :) = self%change(a:b, :) + dq_f
                   self%value(a:b, :) = state%value(a:b, :) + self%change(a:b, :)
                   cycle
-               else if (field == field_displacement) then
-                  self%x = self%x + dq_f
-                  self%value(a:b, :) = self%x - x_reference
-               else
-                  self%value(a:b, :) = self%value(a:b, :) + dq_f
                end if
+               self%value(a:b, :) = self%value(a:b, :) + dq_f
+               ! displacements have digits that are lost in positions
+               if (field == field_displacement) self%x = x_reference + self%value(a:b, :)
                self%change(a:b, :) = self%value(a:b, :) - state%value(a:b, :)
             end associate
          end associate

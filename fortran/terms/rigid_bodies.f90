@@ -72,8 +72,9 @@ contains
 
       do i = 1, size(self%dependents)
          associate (node => self%dependents(i), r => self%reference(self%dependents(i)))
-            x(:, node) = x(:, r) + matmul(rotation(:, :, r), x_reference(:, node) - x_reference(:, r))
-            value(u_1:u_3, node) = x(:, node) - x_reference(:, node)
+            value(u_1:u_3, node) = value(u_1:u_3, r) + matmul(rotation(:, :, r) - identity3, x_reference(:, node) - &
+               x_reference(:, r))
+            x(:, node) = x_reference(:, node) + value(u_1:u_3, node)
             change(u_1:u_3, node) = value(u_1:u_3, node) - start(u_1:u_3, node)
             if (.not. self%tied(node)) cycle
             rotation(:, :, node) = rotation(:, :, r)
