@@ -43,8 +43,8 @@ contains
 
       associate (given => self%values%real, token => self%values%token)
          ok = .not. any(abs(given(6:7)) > 0)
-         if (.not. ok) call fail_at(self, token(merge(6, 7, abs(given(6)) > 0)), 'litz has no warping of sections: its'// &
-            ' constants behind J must be 0 or left out; torsion is that of St Venant')
+         if (.not. ok) call fail_at(self, token(merge(6, 7, abs(given(6)) > 0)), 'litz has no warping of sections:'// &
+            ' its constants behind J must be 0 or left out; torsion is that of St Venant')
       end associate
    end subroutine check_warping
 

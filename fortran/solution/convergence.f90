@@ -11,8 +11,8 @@ module litz_convergence
    use litz_text, only: to_text
    implicit none
    private
-   public :: measure_residual, vanishes_in_round_off, left_before, nodal_residual, measure_scales, has_converged, group_converged, &
-      part_of_allowed, corrections_small, worst_field
+   public :: measure_residual, vanishes_in_round_off, left_before, nodal_residual, measure_scales, has_converged, &
+      group_converged, part_of_allowed, corrections_small, worst_field
 
    !> Residuals accepted only because of round-off are reported above this fraction of the reference
    real(dp), parameter :: worth_reporting = 1.0e-6_dp

@@ -7,7 +7,8 @@ module litz_newton
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_none
    use litz_assembly, only: evaluate
-   use litz_convergence, only: measure_residual, vanishes_in_round_off, left_before, has_converged, corrections_small, worst_field
+   use litz_convergence, only: measure_residual, vanishes_in_round_off, left_before, has_converged, corrections_small, &
+      worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
@@ -111,8 +112,9 @@ contains
             return
          end if
          only_change = .false.
-         if (outcome%iterations == 0 .and. outcome%in_turn == 1 .and. outcome%at_round_off) &
+         if (outcome%iterations == 0 .and. outcome%in_turn == 1 .and. outcome%at_round_off) then
             only_change = vanishes_in_round_off(problem, step)
+         end if
          if (.not. (carries_prescribed(problem) .or. only_change) .and. &
             all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem%iterate%change, outcome%last)) then

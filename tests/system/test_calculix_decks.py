@@ -317,7 +317,9 @@ class TestWeightsOfSteps:
     def test_both_programs_add_alike(self, tmp_path, case):
         lines, acceleration = WEIGHTS[case]
         path = tmp_path / "heavy.inp"
-        path.write_text(self.deck(*(f"*DLOAD{', OP=NEW' * (line == 'NEW')}\n{line.replace('NEW', '')}" for line in lines)))
+        path.write_text(
+            self.deck(*(f"*DLOAD{', OP=NEW' * (line == 'NEW')}\n{line.replace('NEW', '')}" for line in lines))
+        )
         found = litz.run(converted(path), output_directory=tmp_path / "out").field("displacement")[-1]
         for value, along, across in ((acceleration[0], 0.05, 0.08), (acceleration[1], 0.08, 0.05)):
             load = 2 * 0.05 * 0.08 * value
@@ -334,5 +336,7 @@ class TestWeightsOfSteps:
         new = convert_deck(path, "ccx")
         assert "BEAM, GRAV, 0.02, 0, 0, -1" in new.text.partition("*END STEP")[2]
         assert any("GRAV of step 2: CalculiX adds it" in told for told in new.ignored)
-        with pytest.raises(ValueError, match="in CalculiX it is added to it: which of them is meant must be told by --dialect"):
+        with pytest.raises(
+            ValueError, match="in CalculiX it is added to it: which of them is meant must be told by --dialect"
+        ):
             convert_deck(path)

@@ -442,7 +442,10 @@ def test_sections_and_materials_of_a_mesh_that_wires_would_not_have_are_told(con
     section = "*Material, name=Steel\n*Elastic\n 2.1e11, 0.3\n*Beam Section, elset=WIRE, section=RECT, material=Steel\n 1.,1.\n"
     done, _ = convert(MESH + section, "--dialect", "abaqus")
     assert done.returncode == 1
-    assert "the section of WIRE is ignored: it is RECT, and wires of a mesh are round (CIRC); a deck with a *STEP" in done.stderr
+    assert (
+        "the section of WIRE is ignored: it is RECT, and wires of a mesh are round (CIRC); a deck with a *STEP"
+        in done.stderr
+    )
     assert "has no sections of round wires: radius and material are needed" in done.stderr
     done, new = convert(MESH + section, "--radius", "1", "--length", "m")
     assert done.returncode == 1

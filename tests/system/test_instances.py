@@ -138,7 +138,9 @@ def test_axes_that_are_left_out_turn_with_their_instance(tmp_path, axis):
     """A blank line before the moduli stands for (0, 0, -1) in the axes of the part."""
     section = DECK[DECK.index("*Beam Section") : DECK.index("*End Part")]
     general = "*Beam General Section, elset=Set-1, section=GENERAL\n 12., 36., 0., 4., 12.5\n{}\n 210000., 80769.23\n"
-    turned = DECK.replace(section, general.format(axis)).replace("0., 0., 40., 0., 0., 41., 90.", "0., 0., 40., 1., 0., 40., 90.")
+    turned = DECK.replace(section, general.format(axis)).replace(
+        "0., 0., 40., 0., 0., 41., 90.", "0., 0., 40., 1., 0., 40., 90."
+    )
     path = tmp_path / "frame.inp"
     path.write_text(turned.replace("*Material, name=Steel\n*Elastic\n210000., 0.3\n", ""))
     results = litz.run(path, output_directory=tmp_path / "out")

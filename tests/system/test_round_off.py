@@ -131,7 +131,9 @@ def test_loads_that_round_off_of_positions_hides_move_wires_all_the_same(run, ki
     # in each increment as the loads grow; what is left are the digits of the result file
     assert results.field("displacement")[-1, 1] == pytest.approx(size * compliance, rel=2e-8)
     told = [warning.message for warning in results.warnings if warning.kind == "round_off"]
-    assert any("lost in the round-off of the" in message and "no digits" in message for message in told) == (size < 1e-9)
+    assert any("lost in the round-off of the" in message and "no digits" in message for message in told) == (
+        size < 1e-9
+    )
 
 
 def test_a_run_goes_on_from_loads_that_round_off_hides(run, litz, tmp_path):

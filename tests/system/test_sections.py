@@ -243,9 +243,18 @@ def test_sections_that_are_refused(check, case):
     [
         (" 12, 36, 0, 4, 12.5\n 0, 0, -1\n 210000, 1000", "Poisson's ratio, is 104; it must be between -1 and 0.5"),
         (" 12, 36, 0, 4, 12.5\n 0, 0, -1", "needs a MATERIAL, or three data lines"),
-        (" 12, 36, 0, 4, 12.5\n 210000, 80000", "three data lines: dimensions, the first axis n1 or a blank line, and E, G"),
-        (" 12, 36, 0, 4, 12.5, 0, 7\n\n 210000, 80000", "litz has no warping of sections: its constants behind J must be 0"),
-        (" 12, 36, 0, 4, 12.5, 7\n\n 210000, 80000", "litz has no warping of sections: its constants behind J must be 0"),
+        (
+            " 12, 36, 0, 4, 12.5\n 210000, 80000",
+            "three data lines: dimensions, the first axis n1 or a blank line, and E, G",
+        ),
+        (
+            " 12, 36, 0, 4, 12.5, 0, 7\n\n 210000, 80000",
+            "litz has no warping of sections: its constants behind J must be 0",
+        ),
+        (
+            " 12, 36, 0, 4, 12.5, 7\n\n 210000, 80000",
+            "litz has no warping of sections: its constants behind J must be 0",
+        ),
         (" 12, 36, 13, 4, 12.5\n 0, 0, -1\n 210000, 80000", "no section has the product of inertia I12 = 13"),
     ],
 )

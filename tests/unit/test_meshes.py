@@ -296,7 +296,11 @@ def test_sections_of_a_part_hold_for_each_of_its_instances(file):
             "0., 0., 1., 0., 0., 2., 90.\n90.",
             "INSTANCE Wire-2 has two data lines, .*not 3",
         ),
-        ("0., 0., 1., 0., 0., 2., 90.", "0., 0., 1., 0., 0., 1., 90.", "the axis of the rotation of .INSTANCE Wire-2 has no length"),
+        (
+            "0., 0., 1., 0., 0., 2., 90.",
+            "0., 0., 1., 0., 0., 1., 90.",
+            "the axis of the rotation of .INSTANCE Wire-2 has no length",
+        ),
         ("Pin-1.all", "Pin-1.everything", "there is no set Pin-1.everything"),
         (CAE[CAE.index("*Assembly") : CAE.index("*Material")], "", "has parts, but no .INSTANCE"),
     ],

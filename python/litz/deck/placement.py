@@ -21,7 +21,9 @@ def placed(places: NDArray, card: Card, path: Path) -> NDArray:
         if len(lines[1]) != 7 or rows[1][6] is None:
             raise FileError(f"{path}: the second line of {name} needs seven numbers")
         if lines[1][:3] == lines[1][3:6]:
-            raise FileError(f"{path}: the axis of the rotation of {name} has no length: both of its points are the same")
+            raise FileError(
+                f"{path}: the axis of the rotation of {name} has no length: both of its points are the same"
+            )
         places = rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
     return places
 

@@ -3,6 +3,7 @@
 import sys
 from importlib import import_module
 from types import ModuleType
+from typing import Any
 
 _SPATIAL = "mpl_toolkits.mplot3d"
 
@@ -12,7 +13,7 @@ def load_matplotlib() -> None:
 
     For programs of their own: a user's process has matplotlib as it is.
     """
-    artist = import_module("matplotlib.artist")
+    artist: Any = import_module("matplotlib.artist")
     describe = artist.kwdoc
     # matplotlib has names for axes of three dimensions only if they can be loaded
     spatial = ModuleType(_SPATIAL)
