@@ -112,7 +112,8 @@ contains
             return
          end if
          only_change = .false.
-         if (outcome%iterations == 0 .and. outcome%in_turn == 1 .and. outcome%at_round_off) then
+         if (outcome%iterations == 0 .and. outcome%in_turn == 1 .and. outcome%at_round_off .and. &
+            all(outcome%last%residual <= outcome%last%allowed)) then
             only_change = vanishes_in_round_off(problem, step)
          end if
          if (.not. (carries_prescribed(problem) .or. only_change) .and. &

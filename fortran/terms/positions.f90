@@ -5,8 +5,8 @@ module litz_positions
    private
    public :: agree
 
-   !> A displacement that is a smaller part of its coordinate has digits that are lost in the position
-   real(dp), parameter :: small_part = 1.0e-3_dp
+   !> A displacement that is a smaller part of its coordinate loses digits that count in the position
+   real(dp), parameter :: small_part = 1.0e-8_dp
 
 contains
 
