@@ -24,7 +24,7 @@ contains
       !> .false.: something was reported; values that were not understood are not `given`
       logical, intent(out) :: ok
       integer :: i, n_fields, n_allowed
-      logical :: value_ok
+      logical :: value_ok, has_more
 
       call find_form(self, card, line)
       call self%deck%split(line, self%values%token, self%values%n)
@@ -36,17 +36,17 @@ contains
          n_fields = size(form%fields)
          if (form%fields(1)%kind == kind_text) return
          n_allowed = n_fields*form%repeats
-         if (n > n_allowed .and. n_allowed > 0) then
-            call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'//keyword_of(self, card)// &
-               ' takes '//to_text(n_allowed)//' on this line: '//describe_form(form)// &
-               behind_semicolon(advice_about_more(keyword_of(self, card), form%when)))
-            ok = .false.
-            n = n_allowed
-         end if
+         has_more = n > n_allowed .and. n_allowed > 0
+         if (has_more) n = n_allowed
          do i = 1, n
             call read_value(self, form%fields(mod(i - 1, n_fields) + 1), i, value_ok)
             ok = ok .and. value_ok
          end do
+         ! of a value that is none of these there may be more
+         if (has_more .and. ok) call fail_at(self, self%values%token(n_allowed + 1), 'too many values: *'// &
+            keyword_of(self, card)//' takes '//to_text(n_allowed)//' on this line: '//describe_form(form)// &
+            behind_semicolon(advice_about_more(keyword_of(self, card), form%when)))
+         ok = ok .and. .not. has_more
          if (mod(n, n_fields) /= 0 .or. n == 0) call check_missing(self, form, line, ok)
       end associate
    end subroutine read_line

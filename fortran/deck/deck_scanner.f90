@@ -32,6 +32,8 @@ module litz_deck_scanner
       type(deck_copy_t) :: copy
       !> Data before the first keyword have been reported
       logical :: told_stray_data = .false.
+      !> A blank line is before the last one
+      logical :: is_behind_blank = .false.
    end type scanner_t
 
 contains
@@ -151,6 +153,7 @@ contains
       logical, intent(out) :: found
       integer :: length, line_end
 
+      scanner%is_behind_blank = .false.
       associate (text => deck%sources(source)%text)
          length = len(text)
          if (scanner%position == 1 .and. starts_with_mark(text)) scanner%position = 4
@@ -161,7 +164,10 @@ contains
             line = line_t(source, scanner%number, scanner%position, scanner%position, line_end)
             scanner%position = line_end + 2
             call trim_line(text, line)
-            if (line%first > line%last) cycle
+            if (line%first > line%last) then
+               scanner%is_behind_blank = .true.
+               cycle
+            end if
             if (line%first < line%last) then
                if (text(line%first:line%first + 1) == '**') then
                   call note_line(text(line%first:line%last), scanner%number)
@@ -238,6 +244,7 @@ contains
       type(error_list_t), intent(inout) :: errors
 
       if (deck%n_cards > 0) then
+         if (scanner%is_behind_blank) call keep_blank_axis(deck)
          deck%cards(deck%n_cards)%last_data = deck%n_lines
       else if (.not. scanner%told_stray_data) then
          scanner%told_stray_data = .true.
@@ -262,6 +269,23 @@ contains
       end function advice
 
    end subroutine add_data_line
+
+   !> The last line is data behind a blank line: in Abaqus, that is the first axis of a section which is left out where
+   !> the moduli follow.
+   subroutine keep_blank_axis(deck)
+      type(deck_t), intent(inout) :: deck
+      type(line_t) :: moduli
+
+      associate (card => deck%cards(deck%n_cards))
+         if (card%last_data /= card%first_data .or. squeezed(deck%text(card%name)) /= 'BEAMGENERALSECTION') return
+      end associate
+      moduli = deck%lines(deck%n_lines)
+      associate (blank => deck%lines(deck%n_lines))
+         blank%number = moduli%number - 1
+         blank%last = blank%first - 1
+      end associate
+      call append_line(deck, moduli)
+   end subroutine keep_blank_axis
 
    !> The keyword and its parameters, from the last line on and over its continuations.
    subroutine read_card(deck, scanner, source, card, errors)

@@ -71,6 +71,10 @@ module litz_foreign_words
       'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
       ' (or PIN NSET=...), which `litz convert THIS.inp NEW.inp` writes where they are the same; wires that are'// &
       ' joined share a node'), &
+      foreign_word_t('RELEASE', '', '', 'a hinge is two nodes at one place, an end of a beam each, that share'// &
+      ' displacements: *RIGID BODY, REF NODE=..., PIN NSET=..., or *EQUATION for each of 1 to 3'), &
+      foreign_word_t('BASE MOTION', '', '', 'there is no inertia: prescribe the motion of supports by *BOUNDARY,'// &
+      ' AMPLITUDE=...'), &
       foreign_word_t('SPRING|DASHPOT|CONNECTOR SECTION|CONNECTOR BEHAVIOR|GAP|MASS|ROTARY INERTIA', '', '', &
       'only beams are available: a spring is a thin beam, of stiffness EA/L'), &
       foreign_word_t('SOLID SECTION|SHELL SECTION|MEMBRANE SECTION|FRAME SECTION', '', '', &
@@ -134,7 +138,7 @@ module litz_foreign_words
       foreign_word_t('NODE|NSET|ELEMENT|ELSET', 'INPUT', '', 'write *INCLUDE, INPUT=... in place of its data lines', &
       role_mesh), &
       foreign_word_t('NODE', 'SYSTEM', '', 'write x, y, z: `litz run`, `check` and `convert` of the Python'// &
-      ' package take cylindrical ones (C), too'), &
+      ' package take cylindrical coordinates (C), too, but no spherical ones (S)'), &
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
       ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'members of sets are in the order of their numbers: leave it out'// &
@@ -167,8 +171,11 @@ module litz_foreign_words
       '', 'give the values of the nodes in data lines'), &
       foreign_word_t('INITIAL CONDITIONS', 'FILE|STEP|INC|INPUT|INTERPOLATE|MIDSIDE|DRIVING ELSETS|USER|OUTPUT', '', &
       'give the values of the nodes in data lines'), &
-      foreign_word_t('BOUNDARY', 'TYPE|USER|LOAD CASE', '', 'leave it out: values are displacements, rotations,'// &
-      ' potentials and temperatures; a velocity is a value that ramps'), &
+      foreign_word_t('BOUNDARY', 'TYPE', '', 'leave it out where it is DISPLACEMENT; for a velocity write the'// &
+      ' displacement at the end of the step, velocity times time: values ramp; there is no inertia for'// &
+      ' accelerations'), &
+      foreign_word_t('BOUNDARY', 'USER|LOAD CASE|SUBMODEL|REGION TYPE', '', 'leave it out: values are'// &
+      ' displacements, rotations, potentials and temperatures, which may follow an *AMPLITUDE'), &
       foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction and do not turn with their node'), &
       foreign_word_t('CLOAD', 'LOAD CASE|USER|SECTOR', '', 'leave it out'), &
       foreign_word_t('NODE PRINT|EL PRINT|ENERGY PRINT|CONTACT PRINT', 'FREQUENCY|FREQUENCYF|TIME POINTS|SUMMARY|'// &
@@ -232,6 +239,8 @@ module litz_foreign_words
       role_idle), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'SECTION', 'RECTANGULAR|CIRCULAR', 'write the first four'// &
       ' letters, which CalculiX reads'), &
+      foreign_word_t('DLOAD', '', 'CENTRIF|ROTA|ROTDYNF|CORIO|NEWTON', 'give each element its force per length, as'// &
+      ' PX, PY and PZ'), &
       foreign_word_t('ELASTIC|EXPANSION', '', '+', 'material data depend on temperature alone'), &
       foreign_word_t('EXPANSION', 'TYPE', 'ORTHO|ANISO|SHORT FIBER', 'give the coefficient along the wire'), &
       foreign_word_t('TEMPERATURE|INITIAL CONDITIONS', '', '+', 'the temperature is the same over a cross-section'), &

@@ -10,6 +10,7 @@ module litz_read_sections
    use litz_section_stiffness, only: shear_stiffness
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, has_flag, keyword_of, real_parameter, &
       n_cards_of, name_of
+   use litz_section_checks, only: check_second_moments, check_warping, check_walls, check_flanges, check_legs, is_same
    use litz_data_lines, only: read_line, read_only_line
    use litz_definitions, only: find_definition
    use litz_rotations, only: cross
@@ -70,7 +71,7 @@ contains
       name = parameter_of(self, card, 'ELSET')
       if (name%last < name%first) self%missed_section = .true.
       section%current_length = choice_of(self, card, 'CONDUCTION') == 'CURRENTLENGTH'
-      if (has_flag(self, card, 'MATERIAL') .or. keyword_of(self, card) == 'BEAM SECTION') then
+      if (.not. needs_moduli(self, card)) then
          call find_definition(self, self%materials, 'material', parameter_of(self, card, 'MATERIAL'), section%material)
          associate (this => self%deck%cards(card))
             if (this%last_data > this%first_data + 1) call fail_at(self, self%deck%line_token(this%first_data + 2), &
@@ -116,6 +117,7 @@ contains
             shape%area = given(1)
             shape%j = given(5)
             call check_second_moments(self, ok)
+            if (ok) call check_warping(self, ok)
             if (ok) call turn_to_principal_axes(shape, given(2:4))
          case ('RECT')
             shape = rectangle(given(1), merge(given(2), given(1), self%values%given(2)), poisson)
@@ -256,86 +258,14 @@ contains
       section%ga3 = shear(2)
    end subroutine set_shear
 
-   !> Second moments are those of some area, and no section twists harder than its polar moment says, I11 + I22, the
-   !> value of a circle.
-   !> Source: Timoshenko and Goodier, Theory of Elasticity, 3rd edition, section 105: warping makes it softer.
-   subroutine check_second_moments(self, ok)
-      type(reader_t), intent(inout) :: self
-      !> .false.: something was reported
-      logical, intent(out) :: ok
-      real(dp) :: largest
+   !> Whether E and G are on the third data line, as there is no material.
+   pure logical function needs_moduli(self, card)
+      type(reader_t), intent(in) :: self
+      !> Index of the card
+      integer, intent(in) :: card
 
-      associate (given => self%values%real)
-         ok = given(3)**2 < given(2)*given(4)
-         if (.not. ok) then
-            call fail_at(self, self%values%token(3), 'no section has the product of inertia I12 = '// &
-               to_text(given(3))//' with these second moments: its size is below the root of I11 I22, '// &
-               to_text(sqrt(given(2)*given(4))))
-            return
-         end if
-         largest = given(2) + given(4)
-         ! values of tables are rounded
-         ok = given(5) <= largest*1.01_dp
-         if (.not. ok) call fail_at(self, self%values%token(5), 'no section has the torsion constant J = '// &
-            to_text(given(5))//' with these second moments: it is at most I11 + I22 = '//to_text(largest)// &
-            '; the fifth value of CalculiX, for its elements U1, is a shear factor')
-      end associate
-   end subroutine check_second_moments
-
-   !> Walls of a box: room between them.
-   subroutine check_walls(self, ok)
-      type(reader_t), intent(inout) :: self
-      !> .false.: something was reported
-      logical, intent(out) :: ok
-
-      associate (given => self%values%real)
-         ok = given(3) + given(5) < given(1) .and. given(4) + given(6) < given(2)
-         if (.not. ok) call fail_at(self, self%values%token(3), 'the walls of the box leave no room between them:'// &
-            ' t1 + t3 must be smaller than a, t2 + t4 smaller than b')
-      end associate
-   end subroutine check_walls
-
-   !> Flanges of an I: alike, so that its shear centre is in the middle.
-   subroutine check_flanges(self, ok)
-      type(reader_t), intent(inout) :: self
-      !> .false.: something was reported
-      logical, intent(out) :: ok
-
-      associate (given => self%values%real, token => self%values%token)
-         ok = is_same(given(3), given(4)) .and. is_same(given(5), given(6))
-         if (.not. ok) then
-            call fail_at(self, token(3), 'both flanges of an I must be alike, b1 = b2 and t1 = t2: otherwise its'// &
-               ' shear'// &
-               ' centre is beside its centroid')
-            return
-         end if
-         ok = 2*given(5) < given(2) .and. given(7) <= given(3)
-         if (.not. ok) call fail_at(self, token(5), 'the flanges of the I leave no room for its web: 2 t1 must be'// &
-            ' smaller than h, and t3 not larger than b1')
-      end associate
-   end subroutine check_flanges
-
-   !> Legs of an L: longer than thick.
-   subroutine check_legs(self, ok)
-      type(reader_t), intent(inout) :: self
-      !> .false.: something was reported
-      logical, intent(out) :: ok
-
-      associate (given => self%values%real)
-         ok = given(4) < given(1) .and. given(3) < given(2)
-         if (.not. ok) call fail_at(self, self%values%token(3), 'the legs of the L are no longer than the other'// &
-            ' one is'// &
-            ' thick: t2 must be smaller than a, t1 smaller than b')
-      end associate
-   end subroutine check_legs
-
-   !> Equal but for the digits that a deck leaves out.
-   pure logical function is_same(a, b)
-      !> Lengths [m]
-      real(dp), intent(in) :: a, b
-
-      is_same = abs(a - b) <= 1.0e-6_dp*max(a, b)
-   end function is_same
+      needs_moduli = keyword_of(self, card) /= 'BEAM SECTION' .and. .not. has_flag(self, card, 'MATERIAL')
+   end function needs_moduli
 
    !> The elasticity of a *BEAM GENERAL SECTION without a material: E and G on its third line make one.
    subroutine read_moduli(self, model, card, material)
@@ -353,8 +283,9 @@ contains
       associate (this => self%deck%cards(card))
          if (this%last_data < this%first_data + 2) then
             call fail_at(self, this%name, '*BEAM GENERAL SECTION needs a MATERIAL, or three data lines:'// &
-               ' dimensions, the'// &
-               ' first axis n1, and E, G')
+               ' dimensions, the first axis n1 or a blank line, and E, G')
+            ! which of both the second one is, is not known
+            self%line_read(this%first_data:this%last_data) = .true.
             return
          end if
          call read_line(self, card, this%first_data + 2, ok)
@@ -424,19 +355,42 @@ contains
          end do
          ok = .true.
          line = this%name%line
-         if (this%last_data > this%first_data) then
+         if (this%last_data == this%first_data + 1 .and. needs_moduli(self, card)) ok = .false.
+         if (ok .and. this%last_data > this%first_data) then
             line = this%first_data + 1
-            call read_line(self, card, line, ok)
-            if (ok) model%sections(section)%n1 = self%values%real(1:3)
-            if (ok .and. .not. norm2(model%sections(section)%n1) > 0) then
-               ok = .false.
-               call fail_at(self, self%deck%line_token(line), 'the first section axis n1 is zero; give a direction')
-            end if
+            call read_axis(self, card, line, model%sections(section)%n1, ok)
          end if
          if (ok .and. norm2(model%sections(section)%n1) > 0) call check_axis(self, model, card, members, line, &
             model%sections(section)%n1)
       end associate
    end subroutine assign_section
+
+   !> The second data line; without any value it stands for the axis that Abaqus takes.
+   subroutine read_axis(self, card, line, n1, ok)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      !> Index into the lines of the deck
+      integer, intent(in) :: line
+      !> First section axis, of any length
+      real(dp), intent(inout) :: n1(3)
+      !> .false.: something was reported
+      logical, intent(out) :: ok
+
+      call self%deck%split(line, self%values%token, self%values%n)
+      ok = .true.
+      if (self%values%n == 0) then
+         self%line_read(line) = .true.
+         n1 = default_axis
+         return
+      end if
+      call read_line(self, card, line, ok)
+      if (ok) n1 = self%values%real(1:3)
+      if (ok .and. .not. norm2(n1) > 0) then
+         ok = .false.
+         call fail_at(self, self%deck%line_token(line), 'the first section axis n1 is zero; give a direction')
+      end if
+   end subroutine read_axis
 
    !> n1 must not be parallel to any element of the section.
    subroutine check_axis(self, model, card, members, line, n1)

@@ -36,8 +36,7 @@ contains
       call finish(table, k)
 
       call begin(k, 'BEAM GENERAL SECTION', place_model, 'As *BEAM SECTION, with the elasticity of a MATERIAL, or'// &
-         ' that'// &
-         ' of its third data line, which the first axis must then precede.')
+         ' that of its third data line, which the first axis must then precede; a blank line stands for (0, 0, -1).')
       call k%add(name('ELSET', 'the elements', required=.true.))
       call k%add(name('MATERIAL', 'their material; without it, the third data line has the elasticity'))
       call k%add(choice('SECTION', shapes, 'shape of the cross-section', default='GENERAL'))
@@ -51,7 +50,7 @@ contains
 
    pure subroutine add_section_data(k)
       type(keyword_t), intent(inout) :: k
-      type(field_spec_t) :: general(5)
+      type(field_spec_t) :: general(7)
 
       call k%add(number('CONTACT RADIUS', &
          'radius of the round contact surface [m]; CIRC: the radius when'// &
@@ -67,7 +66,9 @@ contains
          real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &
          real_field('I12', 'm^4', 'product of inertia, the integral of x1 x2; 0: n1 and n2 are principal axes'), &
          real_field('I22', 'm^4', 'second moment for bending about the second axis n2', limit_positive), &
-         real_field('J', 'm^4', 'torsion constant', limit_positive)]
+         real_field('J', 'm^4', 'torsion constant', limit_positive), &
+         real_field('Gamma0', 'm^4', 'warping constants of Abaqus: 0', required=.false.), &
+         real_field('GammaW', 'm^6', 'the other one', required=.false.)]
       call k%add_data(general, when='SECTION=GENERAL')
       call k%add_data([length('a', 'side along n1'), real_field('b', 'm', 'side along n2; a when left out', &
          limit_positive, required=.false.)], when='SECTION=RECT')

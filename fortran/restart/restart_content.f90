@@ -205,6 +205,7 @@ contains
          state%energies = energies_t(energies(1), energies(2), energies(3), energies(4), energies(5), energies(6))
          if (state%has_field(field_temperature)) state%energies%thermal = energies(7)
          contact%converged_clearance = contact%clearance
+         if (allocated(problem%left_over)) deallocate (problem%left_over)
       end associate
    end subroutine exchange_course
 

@@ -36,6 +36,7 @@ contains
                iterate%value(first:last, node))
          end do
          state%load = loading%load
+         problem%left_over = loading%load - internal
          state%reaction = merge(internal - loading%load, 0.0_dp, loading%fixed)
          state%outer_force = 0
          state%surface_heat = 0

@@ -11,8 +11,8 @@ module litz_convergence
    use litz_text, only: to_text
    implicit none
    private
-   public :: measure_residual, nodal_residual, measure_scales, has_converged, group_converged, &
-      part_of_allowed, corrections_small, worst_field
+   public :: measure_residual, vanishes_in_round_off, left_before, nodal_residual, measure_scales, has_converged, &
+      group_converged, part_of_allowed, corrections_small, worst_field
 
    !> Residuals accepted only because of round-off are reported above this fraction of the reference
    real(dp), parameter :: worth_reporting = 1.0e-6_dp
@@ -54,6 +54,42 @@ contains
          end do
       end do
    end subroutine measure_residual
+
+   !> The loads of an increment have changed, but by less than what round-off makes of the forces at its start. These
+   !> count as balanced as they are, and what has changed is a matter of one linear solution.
+   pure logical function vanishes_in_round_off(problem, step) result(vanishes)
+      type(problem_t), intent(in) :: problem
+      type(step_t), intent(in) :: step
+      type(scales_t) :: scales
+      real(dp), allocatable :: change(:, :)
+      integer :: field
+
+      vanishes = .false.
+      associate (load => problem%loading%load)
+         if (size(step%element_loads) == 0 .and. .not. any(abs(load - problem%state%load) > 0)) return
+         scales = measure_scales(problem)
+         change = abs(load - problem%forces%internal - left_before(problem))
+      end associate
+      do field = 1, n_fields
+         associate (first => first_slot(field), last => last_slot(field))
+            vanishes = vanishes .or. any(problem%equations%number(first:last, :) > 0 .and. change(first:last, :) > &
+               max(max(step%controls%r_n, worth_reporting)*scales%reference(field), vanishing))
+         end associate
+      end do
+   end function vanishes_in_round_off
+
+   !> What the last increment has left over of its loads (n_slots, n_nodes), at the start of the next one. Behind a
+   !> restart the loads on elements count as those of the next one.
+   pure function left_before(problem) result(left)
+      type(problem_t), intent(in) :: problem
+      real(dp), allocatable :: left(:, :)
+
+      if (allocated(problem%left_over)) then
+         left = problem%left_over
+      else
+         left = problem%state%load - problem%forces%internal
+      end if
+   end function left_before
 
    !> Largest force [N], moment [N m] and current [A] that are left over at each node (n_fields, n_nodes). At the nodes
    !> of superconducting filaments it is at least by what their current differs from that of the law, to first order:

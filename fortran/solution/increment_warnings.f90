@@ -38,6 +38,8 @@ module litz_increment_warnings
    real(dp), parameter :: largest_part = 0.3_dp
    !> Error over the temperature from absolute zero up to which a step of a single increment is not warned of
    real(dp), parameter :: least_share = 1.0e-3_dp
+   !> Displacements of so many times the round-off of coordinates are lost in these
+   real(dp), parameter :: lost_motion = 10.0_dp
    integer, parameter :: slot = temperature_slots(1)
 
 contains
@@ -200,7 +202,10 @@ contains
       scales = measure_scales(problem)
       tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
       do field = 1, n_fields
-         if (scales%reference(field) <= max(vanishing, maxval(scales%round_off(field, :)))) cycle
+         if (scales%reference(field) <= max(vanishing, maxval(scales%round_off(field, :)))) then
+            call add_lost(problem, field, scales)
+            cycle
+         end if
          associate (share => outcome%last%residual(field)/scales%reference(field))
             if (share > tolerance) call problem%warnings%add('round_off', 'accepted at the limit of round-off: the '// &
                trim(fields(field)%flux_in_words)//' residual is '//to_text(100*share)//' % of the largest '// &
@@ -209,6 +214,41 @@ contains
          end associate
       end do
    end subroutine add_round_off
+
+   !> Loads, or prescribed displacements, that vanish in the round-off of forces.
+   subroutine add_lost(problem, field, scales)
+      type(problem_t), intent(inout) :: problem
+      !> Its forces are smaller than their round-off
+      integer, intent(in) :: field
+      type(scales_t), intent(in) :: scales
+      character(len=:), allocatable :: what
+      real(dp) :: load, moved
+      integer :: i
+
+      associate (loading => problem%loading, first => first_slot(field), last => last_slot(field), &
+         step => problem%model%steps(problem%state%step), units => problem%model%units, named => fields(field))
+         load = maxval(abs(loading%load(first:last, :)))
+         moved = 0
+         if (field == field_displacement) then
+            do i = 1, size(step%element_loads)
+               if (any(abs(step%element_loads(i)%value) > 0)) load = max(load, scales%reference(field))
+            end do
+            moved = maxval(abs(loading%value(first:last, :)), mask=loading%prescribed(first:last, :))
+            if (moved > lost_motion*epsilon(1.0_dp)*maxval(abs(problem%model%x))) moved = 0
+         end if
+         if (load > vanishing) then
+            what = 'loads of at most '//to_text(load)//units%after(trim(named%flux_unit))
+         else if (moved > 0) then
+            what = 'prescribed displacements of at most '//to_text(moved)//units%after('m')
+         else
+            return
+         end if
+         call problem%warnings%add('round_off', what//' are lost in the round-off of the '// &
+            trim(named%flux_in_words)//' at a node, '//to_text(maxval(scales%round_off(field, :)))// &
+            units%after(trim(named%flux_unit))//': motions are those of linear solutions, and reactions, forces in'// &
+            ' wires and contacts have no digits', value=100.0_dp, unit='%')
+      end associate
+   end subroutine add_lost
 
    !> A contact where a point is a poor description, or where the wires overlap too much.
    subroutine add_contact(model, contact, warnings)

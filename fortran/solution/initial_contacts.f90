@@ -126,10 +126,10 @@ contains
       character(len=400) :: text
 
       associate (model => problem%model, pair => problem%model%contact_pairs(point%pair))
-         write (text, '(a, i0, a, i0, a, es9.2, a, f0.1, a, i0, a)') 'the wires of elements ', &
+         write (text, '(a, i0, a, i0, a, es9.2, a, a, a, i0, a)') 'the wires of elements ', &
             model%element_id(point%element_bar), ' and ', model%element_id(point%element), &
             ' overlap at the start by', -point%gap, model%units%after('m')//', that is ', &
-            -100*point%gap/smaller_radius(problem, point), &
+            to_text(-100*point%gap/smaller_radius(problem, point)), &
             ' % of the smaller radius (allowed: 1 %; ', n_refused, &
             ' places overlap in all); move the wires apart, or add INTERFERENCE FIT to *CONTACT PAIR'
          error = fail(exit_input, trim(text))

@@ -7,7 +7,8 @@ module litz_newton
    use litz_kinds, only: dp
    use litz_contact_findings, only: finding_none
    use litz_assembly, only: evaluate
-   use litz_convergence, only: measure_residual, has_converged, corrections_small, worst_field
+   use litz_convergence, only: measure_residual, vanishes_in_round_off, left_before, has_converged, corrections_small, &
+      worst_field
    use litz_element_library, only: heat_elements
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
@@ -63,7 +64,7 @@ contains
       type(error_t), allocatable :: solver_error
       character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
-      logical :: keep
+      logical :: keep, only_change
 
       call start_iterate(problem)
       call prescribe(problem)
@@ -110,7 +111,13 @@ contains
             call give_up(outcome, cause_not_finite, 'the iteration left the range of finite numbers')
             return
          end if
-         if (.not. carries_prescribed(problem) .and. all(outcome%last%residual <= outcome%last%allowed)) then
+         only_change = .false.
+         if (outcome%iterations == 0 .and. outcome%in_turn == 1 .and. outcome%at_round_off .and. &
+            all(outcome%last%residual <= outcome%last%allowed)) then
+            only_change = vanishes_in_round_off(problem, step)
+         end if
+         if (.not. (carries_prescribed(problem) .or. only_change) .and. &
+            all(outcome%last%residual <= outcome%last%allowed)) then
             if (corrections_small(step, problem%iterate%change, outcome%last)) then
                ! what the other groups have changed since may have come last
                if (problem%scheme%is_swept) call settle(problem, step, outcome, error)
@@ -125,7 +132,7 @@ contains
          end if
          if (outcome%in_turn > 1) cycle
          keep = keeps_factor(problem, step, outcome)
-         call solve_step(problem, keep, outcome%last%allowed, correction, solver_error)
+         call solve_step(problem, keep, outcome%last%allowed, only_change, correction, solver_error)
          if (allocated(solver_error)) then
             call give_up(outcome, cause_singular, solver_error%message)
             return
@@ -315,15 +322,18 @@ contains
    end function only_contacts_changed
 
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
-   subroutine solve_step(problem, keep, allowed, correction, error)
+   subroutine solve_step(problem, keep, allowed, only_change, correction, error)
       type(problem_t), intent(inout) :: problem
       !> The factor of an earlier iteration will do
       logical, intent(in) :: keep
       !> Residuals of the fields that are allowed (n_fields)
       real(dp), intent(in) :: allowed(:)
+      !> For what the increment has changed alone, without what the last one has left over
+      logical, intent(in) :: only_change
       !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(out) :: correction(:, :)
       type(error_t), allocatable, intent(out) :: error
+      real(dp) :: rhs(n_slots, problem%model%n_nodes)
 
       call problem%timing%lap(phase_update)
       if (.not. keep) call factor_tangent(problem, error)
@@ -331,15 +341,15 @@ contains
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       correction = problem%iterate%prescribed
-      associate (forces => problem%forces, load => problem%loading%load)
-         if (problem%coupled_step) then
-            call solve_full(problem, allowed, load - forces%internal - forces%iteration - forces%prescribed, &
-               correction, error)
-         else
-            call problem%scheme%solve(problem%matrix, problem%equations, load - forces%internal - forces%iteration &
-               - forces%prescribed, correction, error)
-         end if
+      associate (forces => problem%forces)
+         rhs = problem%loading%load - forces%internal - forces%iteration - forces%prescribed
       end associate
+      if (only_change) rhs = rhs - left_before(problem)
+      if (problem%coupled_step) then
+         call solve_full(problem, allowed, rhs, correction, error)
+      else
+         call problem%scheme%solve(problem%matrix, problem%equations, rhs, correction, error)
+      end if
       call problem%iterate%carry(correction)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step

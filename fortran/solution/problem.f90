@@ -37,6 +37,9 @@ module litz_problem
       logical :: is_far = .true.
       !> Iterations that have kept it
       integer :: factor_age = 0
+      !> What the last converged increment has left of the loads, and accepted (n_slots, n_nodes) [N, N m, A, W]; not
+      !> known behind a restart
+      real(dp), allocatable :: left_over(:, :)
       !> Converged increments, and iterations with those of rejected increments, since the run began
       integer :: n_increments = 0, n_iterations = 0
       type(run_warnings_t) :: warnings
@@ -65,6 +68,7 @@ contains
       call list_terms(problem%domain_t, problem%contact, problem%terms)
       call problem%iterate%start(problem%state, model%x)
       call problem%note_metal()
+      allocate (problem%left_over(n_slots, model%n_nodes), source=0.0_dp)
    end subroutine prepare_problem
 
    !> The undeformed model without voltages, at its initial temperatures.

@@ -82,7 +82,10 @@ contains
             call observer%offer_restart(problem, course, restart_taken, error)
             if (allocated(error)) return
             ! a run that continues from here has none either
-            if (restart_taken) problem%has_factor = .false.
+            if (restart_taken) then
+               problem%has_factor = .false.
+               if (allocated(problem%left_over)) deallocate (problem%left_over)
+            end if
          end do
       end associate
    end subroutine run_step

@@ -3,6 +3,7 @@ module litz_iterate
    use litz_kinds, only: dp
    use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, motion_slots, temperature_slots
    use litz_linear_constraints, only: linear_constraints_t
+   use litz_positions, only: agree
    use litz_rigid_bodies, only: rigid_bodies_t
    use litz_rotations, only: rotation_exp
    use litz_state, only: state_t
@@ -129,11 +130,11 @@ contains
                   self%change(a:b, :) = self%change(a:b, :) + dq_f
                   self%value(a:b, :) = state%value(a:b, :) + self%change(a:b, :)
                   cycle
-               else if (field == field_displacement) then
+               end if
+               self%value(a:b, :) = self%value(a:b, :) + dq_f
+               if (field == field_displacement) then
                   self%x = self%x + dq_f
-                  self%value(a:b, :) = self%x - x_reference
-               else
-                  self%value(a:b, :) = self%value(a:b, :) + dq_f
+                  call agree(x_reference, self%x, self%value(a:b, :))
                end if
                self%change(a:b, :) = self%value(a:b, :) - state%value(a:b, :)
             end associate

@@ -6,6 +6,7 @@ module litz_rigid_bodies
    use litz_kinds, only: dp
    use litz_fields, only: first_slot, last_slot, field_displacement, field_rotation, motion_slots
    use litz_model, only: model_t
+   use litz_positions, only: agree
    use litz_rotations, only: cross, identity3, skew
    implicit none
    private
@@ -68,12 +69,15 @@ contains
       real(dp), intent(inout) :: x(:, :), rotation(:, :, :)
       !> Values of all unknowns, and their change since the increment began (n_slots, n_nodes)
       real(dp), intent(inout) :: value(:, :), change(:, :)
+      real(dp) :: arm(3)
       integer :: i
 
       do i = 1, size(self%dependents)
          associate (node => self%dependents(i), r => self%reference(self%dependents(i)))
-            x(:, node) = x(:, r) + matmul(rotation(:, :, r), x_reference(:, node) - x_reference(:, r))
-            value(u_1:u_3, node) = x(:, node) - x_reference(:, node)
+            arm = x_reference(:, node) - x_reference(:, r)
+            x(:, node) = x(:, r) + matmul(rotation(:, :, r), arm)
+            value(u_1:u_3, node) = value(u_1:u_3, r) + matmul(rotation(:, :, r) - identity3, arm)
+            call agree(x_reference(:, node), x(:, node), value(u_1:u_3, node))
             change(u_1:u_3, node) = value(u_1:u_3, node) - start(u_1:u_3, node)
             if (.not. self%tied(node)) cycle
             rotation(:, :, node) = rotation(:, :, r)

@@ -291,6 +291,8 @@ class PlainReader:
             if "CONTACTRADIUS" in parameters:
                 contact_radius = number(parameters["CONTACTRADIUS"])
             n1 = [number(value) for value in values(data[1])] if len(data) > 1 else [0.0, 0.0, 0.0]
+            if len(data) > 1 and not n1:
+                n1 = [0.0, 0.0, -1.0]
             if len(data) == 1 and beside:
                 n1 = [0.0, 0.0, -1.0]
             if len(data) == 1 and squeezed(parameters["SECTION"]) in ("RECT", "BOX", "I", "L"):

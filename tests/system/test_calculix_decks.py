@@ -283,3 +283,60 @@ class TestPressuresOnFaces:
             ValueError, match=r"pressures in CalculiX: which of them is meant must be told by --dialect"
         ):
             convert_deck(path)
+
+
+#: Loads of the steps, and accelerations along y and z at the end that they add up to
+WEIGHTS = {
+    "another direction": (["BEAM, GRAV, 0.02, 0, 0, -1", "BEAM, GRAV, 0.01, 0, 1, 0"], (0.01, -0.02)),
+    "the same direction": (["BEAM, GRAV, 0.02, 0, 0, -1", "BEAM, GRAV, 0.03, 0, 0, -2"], (0.0, -0.03)),
+    "the opposite direction": (["BEAM, GRAV, 0.02, 0, 0, -1", "BEAM, GRAV, 0.03, 0, 0, 1"], (0.0, 0.01)),
+    "another set": (["BEAM, GRAV, 0.02, 0, 0, -1", "SAME, GRAV, 0.03, 0, 0, -1"], (0.0, -0.05)),
+    "in the third step": (
+        ["BEAM, GRAV, 0.02, 0, 0, -1", "BEAM, GRAV, 0.01, 0, 1, 0", "BEAM, GRAV, 0.03, 0, 1, 0"],
+        (0.03, -0.02),
+    ),
+    "others taken away": (["BEAM, GRAV, 0.02, 0, 0, -1", "NEW", "BEAM, GRAV, 0.01, 0, 1, 0"], (0.01, 0.0)),
+}
+
+
+class TestWeightsOfSteps:
+    """GRAV of another direction or set than that of earlier steps is added to it in CalculiX, and in its place in Abaqus."""
+
+    def deck(self, *lines):
+        nodes = "".join(f"{k + 1}, {k / 20}, 0, 0\n" for k in range(21))
+        elements = "".join(f"{k + 1}, {2 * k + 1}, {2 * k + 2}, {2 * k + 3}\n" for k in range(10))
+        steps = "".join(f"*STEP\n*STATIC\n{line}\n*NODE PRINT, NSET=ALL\nU\n*END STEP\n" for line in lines)
+        return (
+            f"*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE=B32R, ELSET=BEAM\n{elements}*ELSET, ELSET=SAME\nBEAM\n*BOUNDARY\n1, 1, 6\n"
+            "*MATERIAL, NAME=M\n*ELASTIC\n210000, 0.3\n*DENSITY\n2\n"
+            f"*BEAM SECTION, ELSET=BEAM, MATERIAL=M, SECTION=RECT\n0.05, 0.08\n0, 1, 0\n{steps}"
+        )
+
+    @has_ccx
+    @pytest.mark.parametrize("case", WEIGHTS)
+    def test_both_programs_add_alike(self, tmp_path, case):
+        lines, acceleration = WEIGHTS[case]
+        path = tmp_path / "heavy.inp"
+        path.write_text(
+            self.deck(*(f"*DLOAD{', OP=NEW' * (line == 'NEW')}\n{line.replace('NEW', '')}" for line in lines))
+        )
+        found = litz.run(converted(path), output_directory=tmp_path / "out").field("displacement")[-1]
+        for value, along, across in ((acceleration[0], 0.05, 0.08), (acceleration[1], 0.08, 0.05)):
+            load = 2 * 0.05 * 0.08 * value
+            bending, shear = load / (8 * 210000 * across * along**3 / 12), load / (2 * 5 / 6 * 210000 / 2.6 * 0.004)
+            # litz in twenty elements
+            assert found[1 if along == 0.05 else 2] == pytest.approx(bending + shear, rel=2e-3, abs=1e-12)
+        # ten bricks of CalculiX, which are 2 % stiffer than that
+        assert found[1:] == pytest.approx(displacements_of_calculix(path)[21][1:], rel=0.025, abs=1e-10)
+
+    def test_whose_deck_it_is_must_be_known(self, tmp_path):
+        path = tmp_path / "heavy.inp"
+        path.write_text(self.deck(*(f"*DLOAD\n{line}" for line in WEIGHTS["another direction"][0])))
+        assert "GRAV, 0.02" not in convert_deck(path, "abaqus").text.partition("*END STEP")[2]
+        new = convert_deck(path, "ccx")
+        assert "BEAM, GRAV, 0.02, 0, 0, -1" in new.text.partition("*END STEP")[2]
+        assert any("GRAV of step 2: CalculiX adds it" in told for told in new.ignored)
+        with pytest.raises(
+            ValueError, match="in CalculiX it is added to it: which of them is meant must be told by --dialect"
+        ):
+            convert_deck(path)

@@ -437,6 +437,25 @@ def test_copper_is_that_of_the_unit_of_length_and_no_unit_is_assumed(convert):
     assert convert(MESH, "--radius", "1", "--young", "7e4")[0].returncode == 0
 
 
+def test_sections_and_materials_of_a_mesh_that_wires_would_not_have_are_told(convert):
+    """Wires of a mesh are round; those of --radius have no material of the file."""
+    section = "*Material, name=Steel\n*Elastic\n 2.1e11, 0.3\n*Beam Section, elset=WIRE, section=RECT, material=Steel\n 1.,1.\n"
+    done, _ = convert(MESH + section, "--dialect", "abaqus")
+    assert done.returncode == 1
+    assert (
+        "the section of WIRE is ignored: it is RECT, and wires of a mesh are round (CIRC); a deck with a *STEP"
+        in done.stderr
+    )
+    assert "has no sections of round wires: radius and material are needed" in done.stderr
+    done, new = convert(MESH + section, "--radius", "1", "--length", "m")
+    assert done.returncode == 1
+    assert "materials of its own, which wires of --radius do not have: --young says what these have" in done.stderr
+    assert not new
+    done, new = convert(MESH + section, "--radius", "1", "--length", "m", "--young", "2.1e11")
+    assert done.returncode == 0, done.stderr
+    assert float(re.search(r"\*ELASTIC\n (\S+),", new)[1]) == pytest.approx(2.1e11)
+
+
 def test_a_mesh_tells_what_else_was_in_its_file(convert):
     done, _ = convert(MESH + "*Boundary\n 1, 1, 6\n*Amplitude, name=A\n 0., 1.\n", "--radius", "1", "--length", "m")
     assert done.returncode == 0

@@ -98,7 +98,7 @@ def test_each_value_is_answered_by_its_advice(litz, tmp_path, rows, keywords):
                 assert f'found "{word.partition("=")[2]}"; {advice}' in told
         owners, _, lacking = form.partition(", data: ")
         for owner in words_of(owners) if lacking else ():
-            words, node = words_of(lacking), "1, " if owner == "*BOUNDARY" else ""
+            words, node = words_of(lacking), "1, " if owner in ("*BOUNDARY", "*DLOAD") else ""
             card = {"*NODE PRINT": f"{owner}, NSET=ALL", "*EL PRINT": f"{owner}, ELSET=ALL"}.get(owner, owner)
             lines = [line for word in words for line in (card, f"{node}{word}")]
             told = answer(litz, tmp_path, keywords[owner[1:]], lines)

@@ -132,6 +132,23 @@ def test_parts_may_be_in_included_files(tmp_path):
     np.testing.assert_allclose(Results(tmp_path / "out").field("displacement")[5, 2], 2 * SAG, rtol=1e-7)
 
 
+@pytest.mark.filterwarnings("ignore:.*ignored")
+@pytest.mark.parametrize("axis", ["", " 0., 0., -1."])
+def test_axes_that_are_left_out_turn_with_their_instance(tmp_path, axis):
+    """A blank line before the moduli stands for (0, 0, -1) in the axes of the part."""
+    section = DECK[DECK.index("*Beam Section") : DECK.index("*End Part")]
+    general = "*Beam General Section, elset=Set-1, section=GENERAL\n 12., 36., 0., 4., 12.5\n{}\n 210000., 80769.23\n"
+    turned = DECK.replace(section, general.format(axis)).replace(
+        "0., 0., 40., 0., 0., 41., 90.", "0., 0., 40., 1., 0., 40., 90."
+    )
+    path = tmp_path / "frame.inp"
+    path.write_text(turned.replace("*Material, name=Steel\n*Elastic\n210000., 0.3\n", ""))
+    results = litz.run(path, output_directory=tmp_path / "out")
+    # forces along z bend the first bar about y with I22, and the other one, turned about x, with I11
+    weak, strong = (1e-3 * 100**3 / (3 * 210000 * second) for second in (4, 36))
+    np.testing.assert_allclose(results.field("displacement")[[2, 5], 2], [weak, 2 * strong], rtol=1e-6)
+
+
 def test_round_wires_of_turned_instances_need_no_axis(tmp_path):
     """Along z in the part, where the default axis of Abaqus is along them."""
     text = DECK.replace(" 2, 50., 0., 0.\n 3, 100., 0., 0.", " 2, 0., 0., 50.\n 3, 0., 0., 100.")

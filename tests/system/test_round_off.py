@@ -99,3 +99,59 @@ def test_what_the_iteration_leaves_across_a_force_is_nothing_in_a_table(run_of_i
     rows = [line.split() for line in lines[first + 2 :] if line.split()[0].replace(".", "").isdigit()]
     assert len(rows) == len(results.history["time"])
     assert all(row[-3:-1] == ["0", "0"] for row in rows)
+
+
+#: Loads that bend a cantilever of 1 m, E = 2.1e11 and a side of 0.02 m in the second direction, and its deflection for 1 N
+EI = 2.1e11 * 0.02**4 / 12
+TINY = {
+    "force": ("*CLOAD\n 9, 2, {}\n", 1 / (3 * EI)),
+    "moment": ("*CLOAD\n 9, 6, {}\n", 1 / (2 * EI)),
+    "on the length": ("*DLOAD\n BEAM, PY, {}\n", 1 / (8 * EI)),
+}
+
+
+def cantilever(load, increment, more=""):
+    beam = wire("BEAM", straight((2, 1, 3), (3, 1, 3), 8), 1, element="B33")
+    section = "*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=RECT\n 0.02, 0.02\n 0, 1, 0\n"
+    material = "*MATERIAL, NAME=STEEL\n*ELASTIC\n 2.1e11, 0.3\n"
+    return (
+        f"{beam}{material}{section}*BOUNDARY\n 1, ENCASTRE\n"
+        f"*STEP\n*STATIC\n {increment}, 1, , {increment}\n{load}{more}*END STEP\n"
+    )
+
+
+@pytest.mark.parametrize("increment", [1.0, 0.1])
+@pytest.mark.parametrize("kind", TINY)
+@pytest.mark.parametrize("size", [1e-4, 1e-10, 1e-14, 1e-22, 1e-60])
+def test_loads_that_round_off_of_positions_hides_move_wires_all_the_same(run, kind, size, increment):
+    """EA/L is 8.4e7 N/m: 1e-10 N give what is left of a position of 3 m, 1e-22 N nothing."""
+    card, compliance = TINY[kind]
+    process, results = run(cantilever(card.format(size), increment))
+    assert process.returncode == 0, process.stderr
+    # in each increment as the loads grow; what is left are the digits of the result file
+    assert results.field("displacement")[-1, 1] == pytest.approx(size * compliance, rel=2e-8)
+    told = [warning.message for warning in results.warnings if warning.kind == "round_off"]
+    assert any("lost in the round-off of the" in message and "no digits" in message for message in told) == (
+        size < 1e-9
+    )
+
+
+def test_a_run_goes_on_from_loads_that_round_off_hides(run, litz, tmp_path):
+    saved = cantilever("*CLOAD\n 9, 2, 1e-20\n", 0.25, "*RESTART, WRITE, FREQUENCY=1\n")
+    process, results = run(saved)
+    assert process.returncode == 0, process.stderr
+    assert results.field("displacement")[-1, 1] == pytest.approx(1e-20 / (3 * EI), rel=2e-8)
+    place = f"{results.path.with_name('deck.restart.h5')}:1:2"
+    again = litz("run", "deck.inp", "--restart", place, "-o", "again", cwd=tmp_path)
+    assert again.returncode == 0, again.stderr
+    rest = Results(tmp_path / "again").field("displacement")[-1, 1]
+    assert rest == pytest.approx(1e-20 / (3 * EI), rel=2e-8)
+
+
+def test_displacements_that_round_off_of_positions_hides_are_told(run):
+    process, results = run(cantilever("*BOUNDARY\n 9, 2, 2, 1e-20\n", 0.5))
+    assert process.returncode == 0, process.stderr
+    # of a cantilever with a force at its end
+    assert results.field("displacement")[4, 1] == pytest.approx(1e-20 * 5 / 16, rel=2e-8)
+    (told,) = (warning.message for warning in results.warnings if warning.kind == "round_off")
+    assert "prescribed displacements of at most 5e-21" in told or "prescribed displacements of at most 1e-20" in told

@@ -192,10 +192,12 @@ def test_the_largest_stress_of_a_rectangle_is_at_its_corner(litz, tmp_path):
 
 
 @pytest.mark.parametrize("material", [True, False])
-def test_a_general_section_of_abaqus(litz, tmp_path, material):
-    """E and G on its third line, or a material; the first axis comes before."""
+@pytest.mark.parametrize("axis", [" 0., 0., -1.", "", "** none\n  \n** of its own", " , ,"])
+@pytest.mark.parametrize("warping", ["", ", 0., 0.", ", 0."])
+def test_a_general_section_of_abaqus(litz, tmp_path, material, axis, warping):
+    """E and G on its third line, or a material; the first axis comes before, or a line without it, which is (0, 0, -1)."""
     head = "*BEAM GENERAL SECTION, ELSET=BEAM, SECTION=GENERAL"
-    data = " 12., 36., 0., 4., 12.5\n 0., 0., -1."
+    data = f" 12., 36., 0., 4., 12.5{warping}\n{axis}"
     section = f"{head}, MATERIAL=STEEL\n{data}" if material else f"{head}\n{data}\n 210000., 80769.23076923"
     text = DECK.format(section=section, element="B33", load="2, 1e-3\n 3, 4, 1.")
     if not material:
@@ -241,6 +243,18 @@ def test_sections_that_are_refused(check, case):
     [
         (" 12, 36, 0, 4, 12.5\n 0, 0, -1\n 210000, 1000", "Poisson's ratio, is 104; it must be between -1 and 0.5"),
         (" 12, 36, 0, 4, 12.5\n 0, 0, -1", "needs a MATERIAL, or three data lines"),
+        (
+            " 12, 36, 0, 4, 12.5\n 210000, 80000",
+            "three data lines: dimensions, the first axis n1 or a blank line, and E, G",
+        ),
+        (
+            " 12, 36, 0, 4, 12.5, 0, 7\n\n 210000, 80000",
+            "litz has no warping of sections: its constants behind J must be 0",
+        ),
+        (
+            " 12, 36, 0, 4, 12.5, 7\n\n 210000, 80000",
+            "litz has no warping of sections: its constants behind J must be 0",
+        ),
         (" 12, 36, 13, 4, 12.5\n 0, 0, -1\n 210000, 80000", "no section has the product of inertia I12 = 13"),
     ],
 )

@@ -114,6 +114,53 @@ def test_a_deck_is_run_again_if_a_file_that_it_reads_has_changed(template, tmp_p
     assert table["contact force"][0] == pytest.approx(forces[0])
 
 
+#: A rod that is drawn further in a second step
+ROD = """\
+*NODE
+ 1, 0, 0, 0
+ 2, 1, 0, 0
+*ELEMENT, TYPE=B31, ELSET=ROD
+ 1, 1, 2
+*MATERIAL, NAME=M
+*ELASTIC
+ 1e9, 0.3
+*BEAM SECTION, ELSET=ROD, MATERIAL=M, SECTION=CIRC
+ 0.01
+*BOUNDARY
+ 1, ENCASTRE
+*STEP
+*STATIC
+ first, 1, , first
+*BOUNDARY
+ 2, 1, 1, 1e-3
+*RESTART, WRITE
+*END STEP
+*STEP
+*STATIC
+*BOUNDARY
+ 2, 1, 1, {second}
+*ENERGY PRINT
+*END STEP
+"""
+
+
+def test_a_deck_is_run_again_if_what_it_goes_on_from_has_changed(tmp_path):
+    """How many increments the first step had is told by the restart file alone."""
+    template = tmp_path / "rod.inp"
+    template.write_text(ROD.replace("first", "1.0"))
+    written = []
+    for first in (1.0, None, 0.5):
+        if first is not None:
+            (tmp_path / "saved.inp").write_text(ROD.replace("first", repr(first)).replace("{second}", "3e-3"))
+            litz.run(tmp_path / "saved.inp", output_directory=tmp_path)
+        saved = f"{tmp_path / 'saved.restart.h5'}:1:1"
+        litz.sweep(template, {"second": [3e-3]}, directory=tmp_path / "sweep", progress=False, restart=saved)
+        (results,) = (tmp_path / "sweep").rglob("deck.vtkhdf")
+        written.append(results.stat().st_mtime_ns)
+    assert written[1] == written[0]
+    assert written[2] > written[1]
+
+
 def test_failed_runs_are_told_and_kept(tmp_path):
     with pytest.warns(UserWarning, match=r"1 of 2 runs failed; the first, push=5.0: error: .*increments"):
         table = litz.sweep(model, {"push": [1e-6, 5.0]}, directory=tmp_path, progress=False)

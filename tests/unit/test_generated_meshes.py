@@ -192,7 +192,10 @@ def test_what_cannot_be_generated_is_told_with_its_place(tmp_path, old, new, lin
 
 def test_spherical_coordinates_are_refused(tmp_path):
     (tmp_path / "deck.inp").write_text("*NODE, SYSTEM=S\n1, 2., 90., 0.\n")
-    with pytest.raises(InputError, match=r'unknown parameter "SYSTEM" of \*NODE: .*cylindrical ones \(C\)'):
+    with pytest.raises(
+        InputError,
+        match=r'unknown parameter "SYSTEM" of \*NODE: .*cylindrical coordinates \(C\), too, but no spherical ones',
+    ):
         litz.check(tmp_path / "deck.inp")
 
 

@@ -296,7 +296,11 @@ def test_sections_of_a_part_hold_for_each_of_its_instances(file):
             "0., 0., 1., 0., 0., 2., 90.\n90.",
             "INSTANCE Wire-2 has two data lines, .*not 3",
         ),
-        ("0., 0., 1., 0., 0., 2., 90.", "0., 0., 1., 0., 0., 1., 90.", "the axis .* has no length"),
+        (
+            "0., 0., 1., 0., 0., 2., 90.",
+            "0., 0., 1., 0., 0., 1., 90.",
+            "the axis of the rotation of .INSTANCE Wire-2 has no length",
+        ),
         ("Pin-1.all", "Pin-1.everything", "there is no set Pin-1.everything"),
         (CAE[CAE.index("*Assembly") : CAE.index("*Material")], "", "has parts, but no .INSTANCE"),
     ],
@@ -426,7 +430,7 @@ def test_radii_by_element_set(file):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({}, "no sections: radius and material are needed"),
+        ({}, "no sections of round wires: radius and material are needed"),
         ({"radius": 1e-3}, "material is required"),
         ({"radius": {"frist": 1e-3}, "material": "C"}, "did you mean 'first'"),
         ({"radius": {"first": 1e-3}, "material": "C"}, "2 elements of .* have no section"),

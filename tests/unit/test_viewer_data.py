@@ -80,3 +80,19 @@ def test_where_full_detail_of_all_increments_has_no_room_less_detail_has_it(resu
     _, picked, reduced = fitting_viewer(results, list(range(n)), 1)
     assert picked == [n - 1]
     assert reduced
+
+
+def test_of_an_increment_that_has_no_room_at_all_nothing_else_is_put_together(results, monkeypatch):
+    """Which of many contacts have a size at least that is known."""
+    n, n_contacts = len(results.times), results.contacts_at(-1).n_rows
+    packed = WebData.packed_increment
+    made = []
+
+    def noted(self, place, detail=None):
+        made.append((self.increments[place], detail))
+        return packed(self, place, detail)
+
+    monkeypatch.setattr(WebData, "packed_increment", noted)
+    _, picked, reduced = fitting_viewer(results, list(range(n)), 10 * n_contacts - 1)
+    assert (picked, reduced) == ([n - 1], True)
+    assert made == [(n - 1, PLAIN)]

@@ -9,7 +9,7 @@ from ..build.starters import new, starter_list
 from ..errors import FileError
 from ..model import COPPER, Material, Model
 from ..model.abaqus_mesh import DIALECTS
-from ..model.foreign_deck import convert_deck, has_steps, refusal
+from ..model.foreign_deck import convert_deck, has_materials, has_steps, refusal
 from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
 from .parsers import command_parser
@@ -88,6 +88,10 @@ def convert_command(arguments: list[str]) -> int:
         if options.radius is None and has_steps(Path(options.mesh)):
             return _convert_whole_deck(options)
         mesh = read_mesh(options.mesh, dialect=options.dialect)
+        if options.radius is not None and options.young is None and has_materials(Path(options.mesh)):
+            raise ValueError(
+                f"{options.mesh} has materials of its own, which wires of --radius do not have: --young says what these have"
+            )
         notes = ["Supports, contacts and loads must be added: outlines are below, `litz keywords` explains them."]
         units = {} if options.length is None else {"length": options.length}
         model = Model(f"Wires of {mesh.path.name}", notes, **({"units": units} if units else {}))

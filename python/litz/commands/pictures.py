@@ -6,6 +6,7 @@ from importlib import import_module
 from pathlib import Path
 
 from ..pictures.kinds import KINDS
+from ..pictures.loading import load_matplotlib
 from ..pictures.scene import VIEWS
 from ..results import Results
 from ..results.scalars import scalars
@@ -58,6 +59,7 @@ def plot_command(arguments: list[str]) -> int:
     try:
         results = Results(options.results)
         # takes long to load, and is of no use without results
+        load_matplotlib()
         plots = import_module("..pictures.plots", __package__)
         results = plots.with_increments(results)
         if options.list_fields:

@@ -1,10 +1,12 @@
 """The command `litz report`: by itself, as what it needs is loaded while VTK starts."""
 
+import gc
 import os
 import sys
 from importlib import import_module
 
 from ..pictures.drawing_process import ready
+from ..pictures.loading import load_matplotlib
 from .parsers import results_parser
 
 
@@ -15,10 +17,16 @@ def report_command(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     # Linux alone forks without harm, and says how many processors there are for this process
     processes = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
+    # looking for garbage takes longer than what it finds here is worth
+    gc.set_threshold(100_000)
+    # to start threads of BLAS, here and where VTK draws, takes longer than what they have to do
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     with ready():
         # VTK starts meanwhile
         results = import_module("..results", __package__).Results(options.results)
-        report = import_module("..reports.report", __package__).report
-        page = report(results, options.output, processes=processes if processes > 1 else 0)
+        write_report = import_module("..reports.report", __package__).write_report
+        page = write_report(results, options.output, processes if processes > 1 else 0, load_matplotlib)
     print(f"report: {page}")
+    # what is left ends with the process: to look at all of it for garbage takes a while
+    gc.freeze()
     return 0

@@ -13,6 +13,7 @@ import numpy as np
 from ..base.names import unknown_name
 from ..base.rearranged import REARRANGED, included_files
 from ..errors import InputError
+from .blank_axis import write_blank_axis
 from .card import Card
 from .deck import Deck
 from .generated import rewrite, written_out
@@ -172,6 +173,7 @@ class _Instances:
     @staticmethod
     def _turn_axis(section: Card, instance: Card) -> None:
         """Turn the first axis of a section with its instance; a round wire needs none."""
+        write_blank_axis(section)
         rows = section.data
         is_round = str(section.get("SECTION", "")).upper() == "CIRC" and len(rows[0]) == 1
         if is_round and len(rows) == 1 and not any(one in section for one in ("OFFSET1", "OFFSET2")):

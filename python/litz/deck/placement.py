@@ -20,6 +20,10 @@ def placed(places: NDArray, card: Card, path: Path) -> NDArray:
     if len(lines) > 1:
         if len(lines[1]) != 7 or rows[1][6] is None:
             raise FileError(f"{path}: the second line of {name} needs seven numbers")
+        if lines[1][:3] == lines[1][3:6]:
+            raise FileError(
+                f"{path}: the axis of the rotation of {name} has no length: both of its points are the same"
+            )
         places = rotated(places, np.array(lines[1][:3]), np.array(lines[1][3:6]), lines[1][6])
     return places
 
@@ -27,8 +31,6 @@ def placed(places: NDArray, card: Card, path: Path) -> NDArray:
 def rotated(places: NDArray, a: NDArray, b: NDArray, degrees: float) -> NDArray:
     """Turned about the axis from a to b."""
     length = float(np.linalg.norm(b - a))
-    if not length > 0:
-        raise FileError("the axis of the rotation of an *INSTANCE has no length")
     axis = (b - a) / length
     cosine, sine = cosine_and_sine(degrees)
     arms = places - a

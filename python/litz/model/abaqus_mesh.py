@@ -259,9 +259,14 @@ def _sections_of(reader: _DeckReader) -> Iterator[tuple]:
         shape, name = str(card.get("SECTION", "")).upper(), str(card.get("MATERIAL", ""))
         material = _material(name, reader.materials.get(_spelt(name, reader.materials), {}))
         if shape != "CIRC" or material is None:
+            reason = (
+                f"its material {name} has no *ELASTIC, or one that depends on temperature"
+                if shape == "CIRC"
+                else f"it is {shape or 'without a shape'}, and wires of a mesh are round (CIRC)"
+            )
             warnings.warn(
-                f"{reader.path}: the section of {card.get('ELSET')} is ignored: litz reads SECTION=CIRC with an elastic"
-                " material, whose Young's modulus is the same at all temperatures",
+                f"{reader.path}: the section of {card.get('ELSET')} is ignored: {reason}; a deck with a *STEP is converted"
+                " with all its sections",
                 stacklevel=6,
             )
             continue

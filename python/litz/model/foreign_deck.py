@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ..base.program import program_path
 from ..deck import Card, Deck
+from ..deck.blank_axis import write_blank_axis
 from ..deck.instances import deck_cards, flat_cards
 from ..deck.keyword_table import check_card, keywords, squeezed
 from ..errors import InputError, LitzError
@@ -27,11 +28,10 @@ from .multi_point_constraints import constraints_as_rigid_bodies
 from .smooth_steps import smooth_steps_as_tables
 from .steps_at_once import steps_at_once
 from .unused_definitions import unused_definitions
+from .weights_of_steps import keep_weights_of_earlier_steps
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
 
-#: First axis of sections in Abaqus
-_DEFAULT_AXIS = (0.0, 0.0, -1.0)
 #: How the program begins to tell of a keyword that it lacks
 _LACKS = ("error: litz has no *", "error: unknown keyword")
 #: Elements without stiffness, and the cards that give their masses
@@ -71,6 +71,11 @@ def has_steps(path: Path) -> bool:
     )
 
 
+def has_materials(path: Path) -> bool:
+    """Whether the file is a deck with materials."""
+    return path.suffix.lower() == ".inp" and any(card.is_a("ELASTIC") for card in deck_cards(Deck.read(path)))
+
+
 def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] | None = None) -> ConvertedDeck:
     """Convert a whole deck: instances of parts at their places, all else card by card.
 
@@ -79,7 +84,7 @@ def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] |
     path : Path
         The deck.
     dialect : {"abaqus", "ccx"}, optional
-        Whose it is; needed where it has round sections, or loads P1 or P2.
+        Whose it is; needed where it has round sections, loads P1 or P2, or GRAV in several steps.
     units : dict, optional
         Labels of `*UNITS`, such as `{"LENGTH": "mm"}`, where the deck has none.
 
@@ -115,6 +120,7 @@ def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | Non
     for change in (distributing_couplings_as_equations(cards), constraints_as_rigid_bodies(cards, dialect, path)):
         converted.tell(change)
     converted.tell(remove_foreign_parameters(cards))
+    converted.ignored += keep_weights_of_earlier_steps(cards, dialect, path)
     converted.ignored += [*smooth_steps_as_tables(cards), *steps_at_once(cards), *history_requests_as_prints(cards)]
     converted.left_out += pressures_as_forces(cards, dialect, path)
     surfaces = list(surfaces_as_sets(cards))
@@ -279,13 +285,6 @@ def _materials(cards: list[Card]) -> dict[str, Material]:
     return found
 
 
-def _is_blank_behind(card: Card) -> bool:
-    """Whether a blank line follows the first data line."""
-    lines = [line.strip() for line in card.body if not line.strip().startswith("**")]
-    first = next(i for i, line in enumerate(lines) if line)
-    return not lines[first + 1]
-
-
 def _converted(card: Card, dialect: str | None, materials: dict[str, Material], path: Path) -> str:
     """The card in the dialect of litz."""
     if card.is_a("DLOAD") and not card.data and "OP" not in card:
@@ -296,9 +295,7 @@ def _converted(card: Card, dialect: str | None, materials: dict[str, Material], 
     if card.is_a("BEAM SECTION") and len(card.data) > 2:
         # numbers of integration points
         card.data = card.data[:2]
-    if card.is_a("BEAM GENERAL SECTION") and "MATERIAL" not in card and len(card.data) == 2 and _is_blank_behind(card):
-        # a first axis that is left out, before the moduli
-        card.data = [card.data[0], _DEFAULT_AXIS, card.data[1]]
+    write_blank_axis(card)
     shape = str(card.get("SECTION", "")).upper()
     # CalculiX looks at four letters
     if dialect == "ccx" and len(shape) > 4 and shape[:4] in ("RECT", "CIRC", "PIPE"):

@@ -293,7 +293,7 @@ class WireModel(Names):
         sections: list[tuple[str, NDArray[np.int64], Section, Material | str]] = []
         if radius is None:
             if not mesh.sections:
-                raise ValueError(f"{mesh.path} has no sections: radius and material are needed")
+                raise ValueError(f"{mesh.path} has no sections of round wires: radius and material are needed")
             for of_set, section, of_material in mesh.sections:
                 if of_set not in mesh.element_sets:
                     raise ValueError(f"{mesh.path} has a section of {of_set}, but no elements of this set")

@@ -48,6 +48,8 @@ STYLE = {
     "savefig.facecolor": "white",
     # headings and names of decks are shown as they are, dollar signs too
     "text.parse_math": False,
+    # pixels are small enough; to fit each letter to them takes a tenth of the time of a chart
+    "text.hinting": "none",
 }
 _DPI = 150
 _MIN_PIXELS = 200

@@ -5,6 +5,7 @@ job_0.npz it makes drawn_0.npz, and so on: where no OpenGL is installed, VTK end
 user's.
 """
 
+import gc
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -35,6 +36,8 @@ def main() -> None:
         picture, n_grey = draw(window, np.load(job))
         _SHARED.clear()
         np.savez(job.with_name(job.name.replace("job", "drawn")), picture=picture, n_grey=n_grey)
+    # someone waits for the end of this process: what is left needs no search for garbage
+    gc.freeze()
 
 
 def off_screen_window() -> vtkRenderWindow:

@@ -4,6 +4,7 @@ import html
 import json
 import tempfile
 import warnings
+from collections.abc import Callable
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -80,6 +81,13 @@ def report(results: Results | str | Path, filename: str | Path | None = None, *,
     Path
         The page.
     """
+    return write_report(results, filename, processes, lambda: None)
+
+
+def write_report(
+    results: Results | str | Path, filename: str | Path | None, processes: int, load: Callable[[], None]
+) -> Path:
+    """As `report`; `load` loads matplotlib beside the processes that write texts."""
     results = results if isinstance(results, Results) else Results(results)
     if results.path.stem.endswith("_unconverged"):
         results = Results(results.path.with_name(results.path.name.replace("_unconverged", "")))
@@ -87,17 +95,18 @@ def report(results: Results | str | Path, filename: str | Path | None = None, *,
     if results.path.stat().st_size > _MAX_FORKED:
         processes = 0
     with results.kept_open(), writing(path):
-        path.write_text(_page(results, processes), encoding="utf-8")
+        path.write_text(_page(results, processes, load), encoding="utf-8")
     return path
 
 
-def _page(results: Results, processes: int) -> str:
+def _page(results: Results, processes: int, load: Callable[[], None]) -> str:
     """The page as text."""
     # after an error processes may still write into it
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         texts = Path(folder, "texts.json")
         finish_texts = side_by_side.begin([(texts, partial(_write_texts, results, texts))], min(processes, 1))
         # matplotlib takes as long to load as all texts to write
+        load()
         pictures = import_module(".report_pictures", __package__)
         drawn = pictures.Pictures(results, Path(folder), processes) if len(results.times) else None
         failure = _failure(results)

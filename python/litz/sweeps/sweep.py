@@ -408,9 +408,14 @@ class _Run:
 
 
 def _identity(deck: Path, options: Mapping[str, Any]) -> str:
-    """A digest of all that the results depend on: the deck, the files that it reads, and the options."""
+    """A digest of all that the results depend on: the deck, the files that it reads, the options, and the restart file."""
     digest = hashlib.sha256(deck.read_bytes() + repr(sorted(options.items())).encode())
-    for path in files_beside(deck):
+    files = list(files_beside(deck))
+    if options.get("restart") is not None:
+        # behind its name there may be a step and an increment
+        restart = Path(re.sub(r":\d+:\d+$", "", os.fspath(options["restart"])))
+        files += [restart] if restart.is_file() else []
+    for path in files:
         digest.update(hashlib.sha256(path.read_bytes()).digest())
     return digest.hexdigest()
 

@@ -19,6 +19,8 @@ _MODULES = {
     },
 }
 _ICON = "data:,"
+# Letters that a contact takes with all its digits, at least
+_LEAST_PER_CONTACT = 10
 
 
 def page(title: str, body: str, style: str = "") -> str:
@@ -70,9 +72,15 @@ def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tu
     bool
         They have less detail.
     """
+    reduced = _LEAST_PER_CONTACT * results.contacts_at(increments[-1]).n_rows > max_size
+    if reduced:
+        # the last increment alone may be too large, and takes long
+        only = _parts(WebData(results, increments[-1:]), SHORT, PLAIN)
+        if _size(only) > max_size:
+            return f"{_text('viewer.html')}{_inside(only)}{_scripts()}", increments[-1:], True
     data = WebData(results, increments)
     # of many contacts the others need not be looked at
-    reduced = len(data.packed_increment(len(increments) - 1)) > max_size
+    reduced = reduced or len(data.packed_increment(len(increments) - 1)) > max_size
     parts = {} if reduced else _parts(data)
     reduced |= _size(parts) > max_size
     if reduced:
