@@ -16,7 +16,8 @@ module litz_lens_growth
    use litz_contact_turning, only: turning_t
    use litz_cut_lens, only: is_cut
    use litz_law_input, only: wire_pair_t
-   use litz_lens_law, only: lens_t, lens_force, lens_energy, grown_energy, share_of_line, smooth_step, gauss_depth, gauss_weight
+   use litz_lens_law, only: lens_t, lens_force, lens_energy, grown_energy, share_of_line, smooth_step, gauss_depth, &
+      gauss_weight
    use litz_line_kinematics, only: sine_at_angle
    use litz_line_law, only: line_wires_t, line_wires
    use litz_normal_law, only: normal_law_t

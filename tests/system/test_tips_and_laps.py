@@ -25,7 +25,9 @@ def pressed(run, lower, upper, overlap, increments):
     )
 
 
-@pytest.mark.parametrize(("slope", "overlap", "is_short"), [(0.1, 0.02, True), (0.03, 0.02, False), (0.015, 0.015, False)])
+@pytest.mark.parametrize(
+    ("slope", "overlap", "is_short"), [(0.1, 0.02, True), (0.03, 0.02, False), (0.015, 0.015, False)]
+)
 def test_a_tip_has_the_force_of_solid_wires_and_holds_its_work(run, slope, overlap, is_short):
     """Its overlap is 0.2 to 1 radius long at last, where places along the line come to carry the most of it; one of up to
     0.2 radii is that of half-spaces."""
