@@ -355,7 +355,11 @@ contains
          end do
          ok = .true.
          line = this%name%line
-         if (this%last_data == this%first_data + 1 .and. needs_moduli(self, card)) ok = .false.
+         if (this%last_data == this%first_data + 1 .and. needs_moduli(self, card)) then
+            ! two values are E and G, of which it was told that they belong on the third line
+            call self%deck%split(this%last_data, self%values%token, self%values%n)
+            ok = self%values%n > 2
+         end if
          if (ok .and. this%last_data > this%first_data) then
             line = this%first_data + 1
             call read_axis(self, card, line, model%sections(section)%n1, ok)

@@ -235,6 +235,7 @@ FREE = {
 SIDES = ("a", "b", "b1", "b2", "h", "l", "r", "t", "t1", "t2", "t3", "t4")
 #: Values that a user may change, and why
 FREE_VALUES = {
+    ("BEAM SECTION", "Gamma0"): "0 alone", ("BEAM SECTION", "GammaW"): "0 alone",
     ("STATIC", "DIRECT"): "size of the increments", ("STATIC", "first"): "size of the increments",
     ("STATIC", "smallest"): "size of the increments", ("STATIC", "largest"): "size of the increments",
     ("UNITS", "SYSTEM"): "one choice", ("ELASTIC", "TYPE"): "one choice", ("INITIAL CONDITIONS", "TYPE"): "one choice",

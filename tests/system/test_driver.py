@@ -392,7 +392,7 @@ def test_of_overlaps_at_crossings_and_along_lines_the_deepest_is_named(litz, tmp
     )
     process = litz("check", deck)
     assert process.returncode == 1
-    assert "overlap at the start by 3.00E-05 m, that is 3.0 % of the smaller radius" in process.stderr
+    assert "overlap at the start by 3.00E-05 m, that is 3 % of the smaller radius" in process.stderr
     named = process.stderr.partition("the wires of elements ")[2].partition(" overlap")[0]
     assert set(named.split(" and ")) == ({"1", "2"} if beside > crossing else {"1", "3"})
     places = int(process.stderr.split("allowed: 1 %; ")[1].split()[0])

@@ -33,7 +33,7 @@ METALS = {
         Wire(radius=2e-3, young=411e9, poisson=0.28, resistivity=5.3e-8),
     ),
 }
-METAL_ANGLES, METAL_APPROACH = (90, 60, 45, 30, 20, 12), 5e-8
+METAL_ANGLES, METAL_APPROACH = (90, 60, 45, 30, 20, 16), 5e-8
 FORCES = np.geomspace(1e-4, 1e2, 25)
 #: Overlap of wires under a given force [m]
 OVERLAP = 1e-6

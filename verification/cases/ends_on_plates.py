@@ -22,7 +22,7 @@ SLOPES = (1.2, 0.5, 0.3, 0.2)
 BENT = ((0.3, 0.1), (0.2, 0.3))
 DEEP, SHALLOW = 2e-2 * RADIUS, 2e-3 * RADIUS
 #: Overlaps of a wire across a drum of five of its radii, over its radius
-DRUM = (1e-3, 5e-3, 2e-2, 4.5e-2)
+DRUM = (1e-3, 3e-3, 5e-3, 7e-3)
 
 
 def measure(workspace):
