@@ -48,7 +48,7 @@ DECKS = {
     "as it is": (flat("*Heading", "*Heading"), ""),
     "follower force": (flat("*Cload, amplitude=Amp-1", "*Cload, amplitude=Amp-1, follower"), "do not turn with their node"),
     "all at once": (flat(STEP, "*Step, name=Step-1, amplitude=STEP, inc=1000"), ""),
-    "velocity": (flat("*Boundary\nSet-1, ENCASTRE", "*Boundary, type=VELOCITY\nSet-1, 1, 1, 0.1"), "for a velocity write the displacement"),
+    "velocity": (flat("*Boundary\nSet-1, ENCASTRE", "*Boundary, type=VELOCITY\nSet-1, 1, 1, 0.1"), "for a velocity write"),
     "arc length": (flat(STATIC, "*Static, riks\n1., 1., 1e-05, , 1., Set-2, 3, 10."), "there is no arc length"),
     "perturbation": (flat(STEP, "*Step, name=Step-1, perturbation"), "every step is nonlinear"),
     "without increments": (flat(STATIC, "*Static"), ""),
