@@ -284,8 +284,10 @@ contains
          if (this%last_data < this%first_data + 2) then
             call fail_at(self, this%name, '*BEAM GENERAL SECTION needs a MATERIAL, or three data lines:'// &
                ' dimensions, the first axis n1 or a blank line, and E, G')
-            ! which of both the second one is, is not known
-            self%line_read(this%first_data:this%last_data) = .true.
+            ! two values are E and G, which belong on the third line
+            call self%deck%split(this%last_data, self%values%token, self%values%n)
+            self%line_read(this%first_data:this%last_data) = self%line_read(this%first_data:this%last_data) &
+               .or. self%values%n <= 2
             return
          end if
          call read_line(self, card, this%first_data + 2, ok)

@@ -21,8 +21,8 @@ BEYOND = {
 
 
 def good(value):
-    if value.get("limit") == "0":
-        return "0"
+    if value.get("limit") in ("0", "1 or greater"):
+        return value["limit"][0]
     if value.get("limit", "").startswith("left empty"):
         return ""
     return value["choices"][0] if value["choices"] else GOOD[value["kind"]]
