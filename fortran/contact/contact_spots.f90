@@ -154,7 +154,8 @@ contains
       else
          call find_whole_spot(law, pair, spot_force, point, circuit%spot)
          point%law_sine = shape%sine
-         if (.not. circuit%follows > 0) then
+         ! what is given for a whole spot stays as a whole
+         if (.not. circuit%follows > 0 .and. (law%spot%serves_lines .or. law%spot%is_per_length)) then
             if (any(point%held)) then
                call keep_beside_end(law, pair, spot_force, point, circuit)
             else
@@ -231,7 +232,6 @@ contains
       real(dp), dimension(2) :: whole_by_resistivity, touching_by_resistivity
       type(contact_spot_t) :: round_spot
 
-      if (.not. (law%spot%serves_lines .or. law%spot%is_per_length)) return
       made = lens_of_spot(law, pair, as_it_was(law, pair, point), spot_force)
       long = share_of_line(made%half_length/minval(pair%radius))
       if (.not. (law%normal%serves_lines() .and. long > 0)) return
@@ -273,7 +273,6 @@ contains
       type(contact_spot_t) :: present
 
       if (any(point%held .and. .not. point%at_end) .or. .not. law%normal%serves_lines()) return
-      if (.not. (law%spot%serves_lines .or. law%spot%is_per_length)) return
       overlap = overlap_of_spot(law, pair, point, spot_force)
       if (.not. (point%gap < 0 .and. overlap > -point%gap)) return
       made = length_at(overlap)
