@@ -254,25 +254,27 @@ contains
       force = (overlap/lens%ellipse%approach)**1.5_dp
    end function hertz_force
 
-   !> Overlap at a force [m]: by secants between bounds.
+   !> Overlap at a force [m]: by secants between bounds. One that the law of the strip does not reach has its largest.
    pure real(dp) function overlap_of_yielding_lens(lens, force) result(overlap)
       type(yielding_lens_t), intent(in) :: lens
       !> [N]
       real(dp), intent(in) :: force
-      real(dp) :: low, high, f_low, f_high, f
+      real(dp) :: low, high, f_low, f_high, f, largest
       integer :: i, kept
 
       low = 0
       f_low = -force
-      high = max(lens%deepest, lens%ellipse%approach*force**(2.0_dp/3))
-      do i = 1, max_iterations
+      largest = max(lens%deepest, lens%strip%line%max_overlap)
+      high = min(largest, max(lens%deepest, lens%ellipse%approach*force**(2.0_dp/3)))
+      do
          f_high = force_of_lens(lens, high) - force
-         if (f_high >= 0) exit
+         if (f_high >= 0 .or. high >= largest) exit
          low = high
          f_low = f_high
-         high = 2*high
+         high = min(largest, 2*high)
       end do
       overlap = high
+      if (f_high < 0) return
       kept = 0
       do i = 1, max_iterations
          if (high - low <= tolerance*high .or. abs(f_high) <= tolerance*force) exit

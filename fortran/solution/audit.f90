@@ -83,6 +83,7 @@ contains
       power = max(sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat)) &
          + sum(abs(state%surface_contacts%joule_heat)), &
          2*power_left_over(state, residual(field_potential, :))/allowed_imbalance)
+      if (len(audit%finding) == 0) audit%finding = not_finite_stiffness(model, scales)
       total_round_off = sum(scales%round_off, 2)
       call weigh_nodes('forces', residual(field_displacement, :), field_displacement, audit%force)
       call weigh_nodes('moments', residual(field_rotation, :), field_rotation, audit%moment)
@@ -195,6 +196,19 @@ contains
       place = contact_not_finite(contact_table(state%contacts))
       if (place > 0) words = 'a value of '//describe_contact(model, state%contacts(place))//' is not a number'
    end function not_finite
+
+   !> The node at which a row of the tangent is not finite, in words; empty: none. Where all is prescribed, no solver
+   !> has seen it.
+   pure function not_finite_stiffness(model, scales) result(words)
+      type(model_t), intent(in) :: model
+      type(scales_t), intent(in) :: scales
+      character(len=:), allocatable :: words
+      integer :: node
+
+      words = ''
+      node = findloc(all(ieee_is_finite(scales%round_off), 1), .false., 1)
+      if (node > 0) words = 'a stiffness at node '//to_text(model%node_id(node))//' is not a number'
+   end function not_finite_stiffness
 
    !> The row of the first contact with a value that is not a finite number; 0: none.
    pure integer function contact_not_finite(table) result(row)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import litz
-from line_wires import COPPER, STEEL, spot, two_wires
+from line_wires import COPPER, STEEL, PressedWire, spot, two_wires
 from litz import build
 from test_contact_at_ends import ALONG_X, HELD, VOLT, carried_over, from_tip, moved
 
@@ -106,3 +106,19 @@ def test_a_strand_of_wires_that_just_touch_yields_and_conducts(tmp_path):
     contacts = results.contacts_at(-1)
     assert contacts["current"].sum() != 0
     assert np.isfinite(contacts["current"]).all()
+
+
+def test_a_crossing_that_places_take_over_beside_an_end_is_followed(run):
+    """As the places take over, the force of the last iteration is more than the part that is left could have at any
+    overlap: the law has its largest force there, which is a number."""
+    angle, radius = np.radians(10), COPPER.radius
+    lower = np.linspace((-12 * radius, 0, 0), (1.3057666 * radius, 0, 0), 20)
+    upper = np.array([0, 0, 2 * radius]) + np.outer(
+        np.linspace(-10.3, 10.9, 31) * radius, [np.cos(angle), -np.sin(angle), 0]
+    )
+    press = moved(0, 0, -0.015 * radius, increments=24)
+    thick = PressedWire(COPPER.radius, 210e9, 0.3, STEEL.resistivity)
+    law = BEHAVIOR.replace("200000000.0", "300e6")
+    results = solved(run(two_wires(lower, upper, HELD, press, wires=(thick, COPPER), law=law)))
+    force = np.array([results.contacts_at(i)["force"].sum() for i in range(1, len(results.times))])
+    assert np.all(np.diff(force) > 0)
