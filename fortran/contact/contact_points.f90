@@ -93,6 +93,8 @@ module litz_contact_points
       !> force, in parts of what they would have alone (2, 2): within an iteration both stay
       type(cut_lens_t) :: lens
       real(dp) :: force_part(2, 2) = 0
+      !> What the ends leave of the stiffness of a lens without them [-]
+      real(dp) :: stiff_part = 1
       !> Places as litz_cut_lens has them (2) [m]; the energy is a function of them and of the overlap, its derivatives
       !> by them are forces along the wires (2) [N], which change with the overlap (2) [N/m] and the places (2, 2) [N/m]
       real(dp) :: place(2) = 0, slide_force(2) = 0, slide_by_overlap(2) = 0, slide_stiffness(2, 2) = 0
@@ -151,7 +153,7 @@ module litz_contact_points
       real(dp) :: spot_section = 0, kept_overlap = 0
       !> Force of the whole contact, whatever its share: of a crossing [N], of a place of a line per length [N/m], where
       !> a spot is remembered of which it carries nothing
-      real(dp) :: whole_force = 0
+      real(dp) :: whole_force = 0, uncut_force = 0
       !> Overlap at which these shares were found [m]; 0: nothing overlapped. While it grows little they stay
       real(dp) :: shared_overlap = 0
       !> Of a point of a line contact: it lies in the lens of a crossing; its foot is held at the end of a wire
@@ -453,6 +455,7 @@ contains
       point%law_sine = earlier%law_sine
       point%lens = earlier%lens
       point%force_part = earlier%force_part
+      point%stiff_part = earlier%stiff_part
       point%cut = earlier%cut
       point%cut_stiffness = earlier%cut_stiffness
       point%place = earlier%place

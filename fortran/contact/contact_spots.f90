@@ -7,19 +7,19 @@ module litz_contact_spots
    use litz_contact_history, only: spot_shape_t, force_of_spot
    use litz_contact_lens, only: angle_of_law, half_length_of, longest
    use litz_contact_points, only: contact_point_t, law_bad_data
+   use litz_cut_forces, only: conducting_part
    use litz_element_library, only: elements_t
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, kept_lens, lens_spot_t, lens_spot, lens_integral, n_depths, share_of_line
    use litz_line_kinematics, only: line_course
    use litz_line_law, only: line_wires_t
    use litz_model, only: interaction_t, model_t
-   use litz_normal_forces, only: apply_normal_law, is_lens, law_of_spot, line_of_point, share_of_ellipse, &
-      weight_of_lens
+   use litz_normal_forces, only: apply_normal_law, is_lens, law_of_spot, line_of_point, share_of_ellipse
    use litz_normal_law, only: force_of_gap_t
    use litz_place_forces, only: force_along_line
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, &
-      overlap_of_spot, part_of_spot
+      overlap_of_spot, part_of_spot, uncut_force
    use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
    use litz_turned_lenses, only: turned_by
    use litz_wires, only: wires_t
@@ -140,8 +140,8 @@ contains
       type(spot_shape_t) :: shape
 
       if (law%spot_memory) point%new_spot = leaves_spot(law, wires, pair, point)
-      call force_of_spot(law%spot_memory, point%history, force_along_line(point)/point%weight, point%new_spot, &
-         spot_force, circuit%follows)
+      call force_of_spot(law%spot_memory, point%history, force_along_line(point)/point%weight, uncut_force(point), &
+         point%new_spot, spot_force, circuit%follows)
       present = point%line
       shape = shape_of_spot(point)
       if (law%spot_memory .and. (point%spot_section > point%section_share .or. keeps_shape(law, point))) then
@@ -245,7 +245,7 @@ contains
          call spot_of_crossing(law, pair, spot_force, point, round_spot)
       end if
       of_whole = point%weight*part_of_spot(law, point)*(1 - round)
-      associate (spot => circuit%spot, of_strip => weight_of_lens(point)*(1 - round), &
+      associate (spot => circuit%spot, of_strip => point%weight*conducting_part(point)*(1 - round), &
          of_round => round*round_spot%conductance, left => now%half_length/made%half_length)
          spot = contact_spot_t()
          spot%semi_major = (1 - long)*made%half_length + long*now%half_length

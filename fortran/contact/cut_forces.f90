@@ -6,19 +6,21 @@
 module litz_cut_forces
    use litz_kinds, only: dp, pi
    use litz_contact_points, only: contact_point_t
-   use litz_cut_lens, only: cut_lens_t, lens_part_t, cut_energy, is_whole
+   use litz_cut_lens, only: cut_lens_t, lens_part_t, cut_energy, is_cut, is_whole
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_near_ends, hertz_ok
    use litz_law_input, only: wire_pair_t
    use litz_normal_law, only: normal_law_t, force_of_gap_t
    implicit none
    private
-   public :: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
+   public :: cut_force, settle_cut, ellipse_of_parts, kept_part, conducting_part, scaled
 
    !> An end cuts a spot as one narrower by this, squared: what is beside it takes over (from half-spaces, see the
    !> theory)
    real(dp), parameter :: narrower = 0.5_dp
    !> Energy over force and overlap of Hertz
    real(dp), parameter :: energy_of_hertz = 0.4_dp
+   !> Force over stiffness and overlap of Hertz
+   real(dp), parameter :: by_overlap = 2/3.0_dp
 
 contains
 
@@ -94,6 +96,10 @@ contains
                *point%gap)/point%lens%energy(i, j))
          end do
       end do
+      associate (q => part%whole, overlap => -point%gap)
+         point%stiff_part = max(0.0_dp, q%value + overlap*(2*by_overlap*q%first(1) &
+            + energy_of_hertz*by_overlap*overlap*q%second(1, 1)))
+      end associate
    end subroutine settle_cut
 
    !> Energies of ends on cylinders and of ends on ends over that of two cylinders, at one overlap. A law per length
@@ -188,6 +194,15 @@ contains
       kept_part = 1
       if (point%lens%has_energies .and. any(point%force_part > 0)) kept_part = sum(point%force_part*point%lens%energy)
    end function kept_part
+
+   !> Part of the conductance of an uncut lens: as strips conduct as they give way, that of its stiffness; as far as the
+   !> spot is still an ellipse, that of the force, which has made it.
+   pure real(dp) function conducting_part(point) result(part)
+      type(contact_point_t), intent(in) :: point
+
+      part = kept_part(point)
+      if (is_cut(point%lens)) part = (1 - point%section_share)*part + point%section_share*point%stiff_part
+   end function conducting_part
 
    pure type(force_of_gap_t) function scaled(law, share)
       type(force_of_gap_t), intent(in) :: law

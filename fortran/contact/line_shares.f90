@@ -172,7 +172,7 @@ contains
       point%section_share = point%history%dent%share_of_section(share_of_line(min(half_length, lap)/radius))
       ! a penalty does not depend on the far field
       if (law%line_penalty() > 0) point%section_share = 0
-      point%spot_section = max(point%section_share, share_of_kept(point, radius))
+      point%spot_section = max(point%section_share, share_of_kept(point, lap, radius))
       point%lens_sine = sine_of_overlap(point)
       point%lens_quality = qualities_of(point)
       point%lens_share = share_at_crossing(law, point, point%kinematics%angle)
@@ -436,17 +436,18 @@ contains
       point%deepest = crossing%deepest
       ! of straight wires slope^2/(2 bend), on one that bends not so
       point%lens_depth = max(0.0_dp, point%gap - crossing%gap)
-      point%spot_section = max(point%spot_section, share_of_kept(crossing, radius))
+      point%spot_section = max(point%spot_section, share_of_kept(crossing, huge(radius), radius))
    end subroutine share_with
 
    !> How much the section counted in the largest lens of a crossing.
-   pure real(dp) function share_of_kept(crossing, radius) result(share)
+   pure real(dp) function share_of_kept(crossing, lap, radius) result(share)
       type(contact_point_t), intent(in) :: crossing
-      !> The smaller one [m]
-      real(dp), intent(in) :: radius
+      !> Largest half length that counts, and the smaller radius [m]
+      real(dp), intent(in) :: lap, radius
+      real(dp) :: half_length
 
-      share = share_of_line(sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/(sine_of_overlap(crossing) &
-         *radius))
+      half_length = sqrt(2*crossing%kinematics%distance*crossing%kept_overlap)/sine_of_overlap(crossing)
+      share = share_of_line(min(half_length, lap)/radius)
    end function share_of_kept
 
    !> Either the sections of the wires bound the field of a place, or how the wires part does: where they hardly part at

@@ -5,7 +5,7 @@ module litz_spot_memory
    use litz_kinds, only: dp
    use litz_contact_history, only: spot_shape_t
    use litz_contact_points, only: contact_point_t
-   use litz_cut_forces, only: kept_part
+   use litz_cut_forces, only: conducting_part
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_friction_law, only: friction_slip
@@ -24,7 +24,7 @@ module litz_spot_memory
    implicit none
    private
    public :: follow_spots, leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, overlap_of_spot, &
-      part_of_spot
+      part_of_spot, uncut_force
 
 contains
 
@@ -39,6 +39,7 @@ contains
       integer :: i
 
       points%whole_force = 0
+      points%uncut_force = 0
       do i = 1, size(points)
          associate (point => points(i), law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
             if (.not. law%spot_memory) cycle
@@ -53,9 +54,10 @@ contains
             end if
             if (.not. whole(1)%force > 0) cycle
             point%whole_force = force_along_line(whole(1))/whole(1)%weight
+            point%uncut_force = uncut_force(whole(1))
             if (point%line_place > 0 .or. any(point%held)) cycle
             point%kept_overlap = -point%gap
-            if (point%new_spot .or. point%history%largest_force <= point%whole_force) cycle
+            if (point%new_spot .or. point%history%spot_shape%uncut_force <= point%uncut_force) cycle
             point%kept_overlap = overlap_of_spot(law, pair, as_it_was(law, pair, whole(1)), &
                point%history%largest_force)
          end associate
@@ -138,7 +140,9 @@ contains
       real(dp) :: gap
 
       gap = point%gap
-      if (spot_force > point%force/point%weight) gap = -overlap_of_spot(law, pair, point, spot_force)
+      ! between ends the force may rise as the overlap falls
+      if (spot_force > point%force/point%weight .or. keeps_shape(law, point) .and. .not. any(point%held)) gap &
+         = -overlap_of_spot(law, pair, point, spot_force)
       lens = lens_force(point%line, gap, point%law_sine, law%normal%line_penalty())
    end function lens_of_spot
 
@@ -165,15 +169,25 @@ contains
 
       keeps_shape = law%spot_memory .and. point%line_place == 0 .and. is_cut(point%lens) .and. .not. law%normal%yields()
       keeps_shape = keeps_shape .and. .not. point%new_spot .and. point%history%spot_shape%overlap > 0 &
-         .and. point%history%largest_force*point%weight > point%force
+         .and. point%history%spot_shape%uncut_force > uncut_force(point)
    end function keeps_shape
+
+   !> Force of the whole contact if no wire ended there [N]; of an end with it, of a place of a line per length [N/m].
+   pure real(dp) function uncut_force(point) result(force)
+      !> That carries some of it
+      type(contact_point_t), intent(in) :: point
+
+      force = force_along_line(point)/point%weight
+      if (point%line_place > 0 .or. any(point%held)) return
+      if (is_cut(point%lens) .and. point%cut > 0) force = force/point%cut
+   end function uncut_force
 
    !> Of the lens of a crossing, what ends have left of it when the spot was made [-].
    pure real(dp) function part_of_spot(law, point)
       type(interaction_t), intent(in) :: law
       type(contact_point_t), intent(in) :: point
 
-      part_of_spot = kept_part(point)
+      part_of_spot = conducting_part(point)
       if (keeps_shape(law, point)) part_of_spot = point%history%spot_shape%part
    end function part_of_spot
 
@@ -181,7 +195,8 @@ contains
    pure type(spot_shape_t) function shape_of_spot(point) result(shape)
       type(contact_point_t), intent(in) :: point
 
-      shape = spot_shape_t(point%ellipse, point%law_sine, max(0.0_dp, -point%gap), kept_part(point))
+      shape = spot_shape_t(point%ellipse, point%law_sine, max(0.0_dp, -point%gap), conducting_part(point))
+      if (point%weight > 0) shape%uncut_force = uncut_force(point)
    end function shape_of_spot
 
    !> The point with the law that it had when its spot was made: the section counts as in its largest lens.

@@ -41,8 +41,10 @@ module litz_contact_history
    !> The shape of the spot of a crossing: next to an end that of a smaller overlap is another one.
    type :: spot_shape_t
       type(hertz_ellipse_t) :: ellipse
-      !> Sine of the angle that its law sees [-], overlap [m], and what ends leave of its lens [-]
+      !> Sine of the angle that its law sees [-], overlap [m], and what ends leave of its conductance [-]
       real(dp) :: sine = 0, overlap = 0, part = 1
+      !> Force of the whole contact at this overlap if no wire ended there [N]; of a place of a line per length [N/m]
+      real(dp) :: uncut_force = 0
    end type spot_shape_t
 
    type :: contact_history_t
@@ -169,7 +171,7 @@ contains
       history%largest_force = start%largest_force
       history%spot_arc = start%spot_arc
       history%spot_shape = start%spot_shape
-      if (.not. (new_spot .or. spot_force >= start%largest_force)) return
+      if (.not. (new_spot .or. shape%uncut_force >= start%spot_shape%uncut_force)) return
       history%largest_force = spot_force
       history%spot_arc = arc
       history%spot_shape = shape
@@ -177,13 +179,16 @@ contains
 
    !> Force that has made the spot of a contact, and its derivative with respect to the present force.
    !>
-   !> A spot that is kept stays as large as it has been; where a contact slips, the present force makes a new one.
-   pure subroutine force_of_spot(keeps_spot, history, force, new_spot, spot_force, dspot_force)
+   !> A spot that is kept stays as large as it has been; where a contact slips, the present force makes a new one. Ends
+   !> may take force from a contact that is pressed on: what would be there without them tells whether it was larger.
+   pure subroutine force_of_spot(keeps_spot, history, force, uncut_force, new_spot, spot_force, dspot_force)
       !> The spot stays as large as the largest force has made it
       logical, intent(in) :: keeps_spot
       type(contact_history_t), intent(in) :: history
       !> Present normal force: of a crossing [N], of a place of a line per length [N/m]
       real(dp), intent(in) :: force
+      !> The same if no wire ended there [N, N/m]
+      real(dp), intent(in) :: uncut_force
       !> The contact has slipped or moved off the spot of the largest force
       logical, intent(in) :: new_spot
       !> Force that makes the spot [N, N/m], and its derivative with respect to the present one [-]
@@ -191,7 +196,7 @@ contains
 
       spot_force = force
       dspot_force = 1
-      if (.not. keeps_spot .or. new_spot .or. history%largest_force <= force) return
+      if (.not. keeps_spot .or. new_spot .or. history%spot_shape%uncut_force <= uncut_force) return
       spot_force = history%largest_force
       dspot_force = 0
    end subroutine force_of_spot

@@ -156,6 +156,7 @@ contains
             end do
          end do
       end associate
+      call table%field('stiff_part', point%stiff_part)
       call table%field('cut', point%cut)
       call table%field('cut_stiffness', point%cut_stiffness)
       call table%field('place_bar', point%place(1))
@@ -198,6 +199,7 @@ contains
       call table%field('spot_sine', history%spot_shape%sine)
       call table%field('spot_overlap', history%spot_shape%overlap)
       call table%field('spot_part', history%spot_shape%part)
+      call table%field('spot_uncut_force', history%spot_shape%uncut_force)
       call table%field('dent_force', history%dent%force)
       call table%field('dent_arc_bar', history%dent%arc(1))
       call table%field('dent_arc', history%dent%arc(2))

@@ -107,6 +107,31 @@ def test_next_to_an_end_a_spot_that_stays_has_the_shape_of_its_largest_force(run
     assert kept[-1] == pytest.approx(made, rel=1e-6)
 
 
+def test_between_two_ends_a_kept_spot_is_made_as_any_other_and_changes_without_a_step(run):
+    """Half a radius before the ends of both wires the force of the crossing falls as they are pressed on, and places
+    take over. The spot is made of the deepest overlap all the same."""
+    angle = np.radians(10)
+    lower = np.linspace((-12 * RADIUS, 0, 0), (0.5 * RADIUS, 0, 0), 25)
+    upper = np.array([0, 0, 2 * RADIUS]) + np.outer(
+        np.linspace(-0.4, 11.9, 25) * RADIUS, [np.cos(angle), np.sin(angle), 0]
+    )
+    steps = [
+        moved(0, 0, -overlap * RADIUS, increments=20).replace("*END STEP", f"{VOLT}*END STEP")
+        for overlap in (0.012, 0.0006)
+    ]
+
+    def conductance(law, name):
+        results = solved(run(two_wires(lower, upper, HELD, *steps, law=HERTZ + spot(law)), name=name))
+        return np.array([(1 / results.contacts_at(i)["resistance"]).sum() for i in range(1, 41)])
+
+    present, kept = conductance("HERTZ", "present"), conductance("HERTZ, SPOT=LARGEST FORCE", "kept")
+    assert np.all(np.diff(present[:20]) > 0)
+    assert kept[:20] == pytest.approx(present[:20], rel=1e-9)
+    assert np.all(kept[20:] > present[20:])
+    assert np.diff(kept[19:]).max() < 0.01 * kept[19]
+    assert kept.max() < 1.07 * kept[19]
+
+
 def test_a_short_lap_that_slides_does_the_work_that_it_holds(run):
     """From a lap of three radii to one of a radius: length, and far field, which the sections bound less and less."""
     lower = np.linspace((-12 * RADIUS, 0, 0), (0, 0, 0), 25)

@@ -110,13 +110,14 @@ contains
       real(dp) :: force, slope
 
       history%largest_force = 3
-      call force_of_spot(.true., history, 2.0_dp, .false., force, slope)
+      history%spot_shape%uncut_force = 6
+      call force_of_spot(.true., history, 2.0_dp, 4.0_dp, .false., force, slope)
       call expect(near(force, 3.0_dp) .and. .not. abs(slope) > 0, 'the spot stays as it was')
-      call force_of_spot(.true., history, 4.0_dp, .false., force, slope)
+      call force_of_spot(.true., history, 4.0_dp, 8.0_dp, .false., force, slope)
       call expect(near(force, 4.0_dp) .and. near(slope, 1.0_dp), 'a larger force makes it larger')
-      call force_of_spot(.true., history, 2.0_dp, .true., force, slope)
+      call force_of_spot(.true., history, 2.0_dp, 4.0_dp, .true., force, slope)
       call expect(near(force, 2.0_dp) .and. near(slope, 1.0_dp), 'a slip makes a new one')
-      call force_of_spot(.false., history, 2.0_dp, .false., force, slope)
+      call force_of_spot(.false., history, 2.0_dp, 4.0_dp, .false., force, slope)
       call expect(near(force, 2.0_dp) .and. near(slope, 1.0_dp), 'it is not kept unless that is asked for')
    end subroutine test_a_kept_spot_has_the_largest_force
 
