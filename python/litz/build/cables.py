@@ -17,6 +17,7 @@ from .helices import Lay
 from .layers import Layer, radius_of_layer
 from .strand_groups import Materials, add_strands, hold_ends
 from .winding import StraightAxis, WoundAxis, points
+from .wraps import Wrap, wrap_bundles
 
 #: Wires may overlap by this share of the smallest radius where their axes are interpolated between the nodes
 OVERLAP = 2e-4
@@ -135,6 +136,7 @@ def cable(
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
     ends: str = "clamped",
+    wrap: Wrap | Interaction | None = None,
 ) -> Model:
     """Cable of several stages along z: wires are laid to strands, strands to ropes, and so on.
 
@@ -160,6 +162,9 @@ def cable(
         Layers whose members would overlap each other get a larger radius; False: that is an error.
     element_length, elements_per_lay, material, interaction, element, ends
         As those of `strand`; elements per turn of the shortest lay of all.
+    wrap : Wrap or Interaction, optional
+        A tape around each bundle of the last stage, through which strands of different bundles touch; or the laws of contact
+        between these bundles, as measured resistances (`TableSpot`).
 
     Returns
     -------
@@ -190,7 +195,7 @@ def cable(
     name = f"Cable of {' x '.join('+'.join(map(str, layers)) for layers in reversed(stages))} wires"
     return _Plan(
         name, stages, lays, radius, length, clearance, enlarge, element_length, elements_per_lay, material
-    ).model(interaction, element, ends)
+    ).model(interaction, element, ends, wrap)
 
 
 @dataclass(frozen=True)
@@ -232,7 +237,7 @@ class _Plan:
         core = self.lays[0][0] is None
         return ["CORE"] * core + [f"LAYER{number + 1}" for number in range(len(self.stages[0]) - core)]
 
-    def model(self, interaction: Interaction, element: str, ends: str) -> Model:
+    def model(self, interaction: Interaction, element: str, ends: str, wrap: Wrap | Interaction | None = None) -> Model:
         """The model, with gaps that are enlarged until no wires overlap."""
         room, allowed = self.clearance, OVERLAP * min(self.radii)
         remarks = [layer.remark for stage in self._laid(room, self.enlarge) for layer in stage if layer.remark]
@@ -248,6 +253,8 @@ class _Plan:
         model.comments += remarks
         hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
+        if wrap is not None:
+            wrap_bundles(model, wrap, interaction, sum(self.stages[-1]) if len(self.stages) > 1 else 1)
         return model
 
     def _laid(self, room: float, enlarge: bool) -> list[list[Layer]]:
