@@ -51,7 +51,7 @@ class Wrap:
     --------
     >>> steel = Wrap(thickness=0.1e-3, resistivity=5.3e-7, cover=0.5)
     >>> f"{1e9 / steel.through(10e-6, tapes=2):.0f} nohm m through two tapes, from strips 20 micrometres wide"
-    '1086 nohm m through two tapes, from strips 20 micrometres wide'
+    '1093 nohm m through two tapes, from strips 20 micrometres wide'
     """
 
     thickness: float
