@@ -328,3 +328,55 @@ class TestWhatIsRefused:
         assert process.returncode == 0, process.stderr
         with pytest.warns(UserWarning, match="MUTUAL RESISTANCE=YES: what spots near each other"):
             results.interstrand_resistance()
+
+
+class TestBundlesWithTapes:
+    """A tape around each bundle changes what bundles conduct into each other, and nothing else."""
+
+    @staticmethod
+    def pressed(directory, wrap=None):
+        film = litz.Interaction(conductance=litz.FilmSpot(1e-11))
+        model = build.cable(
+            [[2], [2]], radius=0.41e-3, lay_lengths=[15e-3, 30e-3], length=6e-3, interaction=film, wrap=wrap,
+            ends="sliding",
+        )  # fmt: skip
+        build.compact(model, 0.68, increments=3)
+        return model.run(directory)
+
+    @staticmethod
+    def contacts(results):
+        """The ledger, and which of its rows are between the bundles."""
+        ledger = results.contacts_at(-1)
+        bundle = results.wire_arcs.wire // 2
+        row = {number: k for k, number in enumerate(results.element_ids.tolist())}
+        first, second = (bundle[[row[number] for number in ledger[name]]] for name in ("element_1", "element_2"))
+        return ledger, first != second
+
+    def test_resistances_between_bundles_are_those_given_and_others_stay(self, tmp_path):
+        bare, between = self.contacts(self.pressed(tmp_path / "bare"))
+        assert between.any()
+        assert not between.all()
+        taped = {}
+        for value in (1e-6, 2e-6):
+            given = litz.Interaction(conductance=litz.ConstantSpot(value, per_length=True))
+            taped[value], _ = self.contacts(self.pressed(tmp_path / str(value), given))
+        one, two = (taped[value]["resistance"][between] for value in (1e-6, 2e-6))
+        # twice the resistance times length over the same lens
+        np.testing.assert_allclose(two, 2 * one, rtol=1e-9)
+        for ledger in taped.values():
+            np.testing.assert_allclose(ledger["force"], bare["force"], rtol=1e-6)
+            np.testing.assert_allclose(ledger["resistance"][~between], bare["resistance"][~between], rtol=1e-6)
+
+    def test_a_cover_is_between_bare_bundles_and_covered_ones(self, tmp_path):
+        """With a film on the tape as on the strands, more of it is a larger resistance."""
+        found = [
+            self.pressed(tmp_path / name, wrap)
+            .interstrand_resistance(superconducting=True)
+            .between("BUNDLE1", "BUNDLE2")
+            for name, wrap in (
+                ("bare", None),
+                ("half", build.Wrap(0.1e-3, 5.3e-7, cover=0.5, film=1e-11)),
+                ("whole", build.Wrap(0.1e-3, 5.3e-7, film=1e-11)),
+            )
+        ]
+        assert found[0] < found[1] < found[2]

@@ -5,6 +5,8 @@ import pytest
 
 from decks import cantilever, wire
 from litz import Results
+from litz.base.names import ON_REQUEST
+from litz.results.scalars import find_scalar
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
 
@@ -92,6 +94,19 @@ def test_files_hold_them_only_where_a_step_asks(run):
     assert not {"end_force_1", "strain_max", "axial_strain"} & set(plain.fields)
     asked = finished(run, cantilever("*CLOAD\n 5, 3, 1\n*EL FILE\n E11\n", n=4))
     assert {"end_force_1", "strain_max", "axial_strain"} <= set(asked.fields)
+
+
+def test_a_field_that_nobody_asked_for_says_how_to(run):
+    plain = finished(run, cantilever("*CLOAD\n 5, 3, 1\n*EL PRINT, ELSET=WIRE\n SF\n", n=4))
+    assert "axial_strain" not in plain.fields
+    asked = finished(run, cantilever("*CLOAD\n 5, 3, 1\n*EL FILE\n E11\n", n=4))
+    for word, fields in ON_REQUEST.items():
+        for name in fields:
+            assert name in asked.fields, "the program has it under this name"
+            with pytest.raises(KeyError, match=rf"the run did not write it\. .*\*EL FILE and a line {word},"):
+                plain.field(name)
+            with pytest.raises(KeyError, match="the run did not write it"):
+                find_scalar(plain, name)
 
 
 def test_a_run_with_section_results_goes_on_from_everywhere(litz, tmp_path):

@@ -21,3 +21,24 @@ def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
     hint = nearest_name(name, known)
     listed = ", ".join(known[:40]) + (", ..." if len(known) > 40 else "")
     return f"there is no {what} {name!r}{hint or '.'} There are: {listed or 'none'}"
+
+
+#: Fields of elements that are in the results on request only, by the word of `*EL FILE` that asks for them
+ON_REQUEST = {
+    "SFN": ("end_force_1", "end_moment_1", "end_force_2", "end_moment_2"),
+    "SE": ("axial_strain",),
+    "SK": ("twist", "curvature_2", "curvature_3"),
+    "E11": ("strain_max", "strain_min"),
+    "S11": ("stress_max", "stress_min"),
+}
+
+
+def unknown_field(name: str, known: Iterable[str]) -> str:
+    """Error message for an unknown field; of one that is there on request, how a step asks for it."""
+    for word, fields in ON_REQUEST.items():
+        if name in fields:
+            return (
+                f"there is no field {name!r}: the run did not write it. A step asks for it with *EL FILE and a line {word}, in "
+                f'Python Step.el_file("{word}")'
+            )
+    return unknown_name("field", name, known)

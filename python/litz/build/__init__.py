@@ -13,6 +13,7 @@ from .geometry import smallest_gap
 from .jackets import compact
 from .plates import press_plates
 from .rutherford import rutherford
+from .wraps import Wrap
 
 __all__ = [
     "COPPER",
@@ -22,6 +23,7 @@ __all__ = [
     "Interaction",
     "Material",
     "Model",
+    "Wrap",
     "cable",
     "compact",
     "fibre_mat",

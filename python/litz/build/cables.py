@@ -15,8 +15,10 @@ from ..model.wires import Wire
 from .geometry import rounded, smallest_gap
 from .helices import Lay
 from .layers import Layer, radius_of_layer
+from .periodic_ends import tie_ends, whole_turns
 from .strand_groups import Materials, add_strands, hold_ends
 from .winding import StraightAxis, WoundAxis, points
+from .wraps import Wrap, wrap_bundles
 
 #: Wires may overlap by this share of the smallest radius where their axes are interpolated between the nodes
 OVERLAP = 2e-4
@@ -82,9 +84,9 @@ def strand(
         element set LAYER1.
     interaction, element
         The laws of their contacts, type of the elements.
-    ends : {"clamped", "sliding"}
+    ends : {"clamped", "sliding", "periodic"}
         Whether the ends of the wires are held across the strand, as in terminations, or only along it and in their directions,
-        so that a jacket can press them together (`compact`).
+        so that a jacket can press them together (`compact`); or move alike at both ends of a cell that is one of many (Notes).
 
     Returns
     -------
@@ -103,6 +105,11 @@ def strand(
     The nodes lie exactly on the helices. Between them the program takes the axis as a cubic with tangents of second order,
     which lies by `3/128 R x^4` inside a helix of radius R with elements of the turn x [rad]. Where such axes
     overlap by more than 2e-4 of the smallest radius, all gaps are enlarged until they do not.
+
+    With periodic ends each wire goes on in one that begins where it ends, a part of a turn further. Lay lengths are changed, by
+    10 % at most, so that this is so, which the comments of the deck say. Displacements and rotations of both ends are alike
+    but for a stretch along z, the displacement of the node set STRETCH (`model.press(-d)` stretches by d; without it the cell is
+    free to); potentials are not. Contacts do not reach beyond the ends: there wires touch as ends of wires do.
 
     Examples
     --------
@@ -135,6 +142,7 @@ def cable(
     interaction: Interaction = HERTZ_AND_HOLM,
     element: str = "B33",
     ends: str = "clamped",
+    wrap: Wrap | Interaction | None = None,
 ) -> Model:
     """Cable of several stages along z: wires are laid to strands, strands to ropes, and so on.
 
@@ -160,6 +168,9 @@ def cable(
         Layers whose members would overlap each other get a larger radius; False: that is an error.
     element_length, elements_per_lay, material, interaction, element, ends
         As those of `strand`; elements per turn of the shortest lay of all.
+    wrap : Wrap or Interaction, optional
+        A tape around each bundle of the last stage, through which strands of different bundles touch; or the laws of contact
+        between these bundles, as measured resistances (`TableSpot`).
 
     Returns
     -------
@@ -190,7 +201,7 @@ def cable(
     name = f"Cable of {' x '.join('+'.join(map(str, layers)) for layers in reversed(stages))} wires"
     return _Plan(
         name, stages, lays, radius, length, clearance, enlarge, element_length, elements_per_lay, material
-    ).model(interaction, element, ends)
+    ).model(interaction, element, ends, wrap)
 
 
 @dataclass(frozen=True)
@@ -232,12 +243,24 @@ class _Plan:
         core = self.lays[0][0] is None
         return ["CORE"] * core + [f"LAYER{number + 1}" for number in range(len(self.stages[0]) - core)]
 
-    def model(self, interaction: Interaction, element: str, ends: str) -> Model:
+    @property
+    def _alike(self) -> list[list[int]]:
+        """Parts of a turn after which each layer of each stage looks as before."""
+        materials = _each("material", self.material, len(self.radii))
+        first = [
+            count if isinstance(of_layer, Material) else 1
+            for count, of_layer in zip(self.stages[0], materials, strict=True)
+        ]
+        return [first, *(list(counts) for counts in self.stages[1:])]
+
+    def model(self, interaction: Interaction, element: str, ends: str, wrap: Wrap | Interaction | None = None) -> Model:
         """The model, with gaps that are enlarged until no wires overlap."""
         room, allowed = self.clearance, OVERLAP * min(self.radii)
         remarks = [layer.remark for stage in self._laid(room, self.enlarge) for layer in stage if layer.remark]
         for _ in range(_TRIES):
-            laid = self._laid(room, enlarge=True)
+            asked = laid = self._laid(room, enlarge=True)
+            if ends == "periodic":
+                laid = whole_turns(asked, self.length, self._alike)
             model = self._meshed(laid, element)
             gap = smallest_gap(model, within=2 * self.clearance + allowed, parts=_PARTS)
             if gap >= self.clearance - allowed:
@@ -246,8 +269,19 @@ class _Plan:
         else:
             raise ValueError("the wires overlap for any gap: the lay is too short")
         model.comments += remarks
-        hold_ends(model, ends)
+        if ends == "periodic":
+            model.comments += [
+                f"lay of {new.lay_length:.6g} m, for {old.lay_length:.6g}, so that both ends are alike"
+                for before, after in zip(asked, laid, strict=True)
+                for old, new in zip(before, after, strict=True)
+                if new.at > 0
+            ]
+            tie_ends(model, self.length)
+        else:
+            hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
+        if wrap is not None:
+            wrap_bundles(model, wrap, interaction, sum(self.stages[-1]) if len(self.stages) > 1 else 1)
         return model
 
     def _laid(self, room: float, enlarge: bool) -> list[list[Layer]]:

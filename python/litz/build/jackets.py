@@ -8,6 +8,7 @@ import numpy as np
 
 from ..model import Friction, Hertz, Linear, Model, NamedBehaviour, Step
 from ..model.surfaces import RigidSurface
+from .periodic_ends import leave_to_jacket
 from .plates import axes_of
 
 #: Contact force over penetration
@@ -35,7 +36,8 @@ def compact(
     Parameters
     ----------
     model : Model
-        A cable or strand along z, with ends that are free across it: `cable(..., ends="sliding")`. No step has been added.
+        A cable or strand along z, with ends that are free across it: `cable(..., ends="sliding")`, or "periodic", which are then
+        held along z only. No step has been added.
     void_fraction : float
         Part of the section of the jacket that is not metal, at the end of the step.
     shape : {"round", "square"}
@@ -97,6 +99,7 @@ def compact(
             f"(that of the jacket around the wires as they are laid), not {void_fraction:g}"
         )
     shrunk = math.sqrt((1 - loosest) / (1 - void_fraction))
+    leave_to_jacket(model)
     surfaces = [_bore(model, size, shrunk, total)] if shape == "round" else _planes(model, size)
     for surface in surfaces:
         model.contact(list(model.groups.values()), surface, behaviour=behaviour, friction=friction)

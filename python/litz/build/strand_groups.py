@@ -62,7 +62,7 @@ def hold_ends(model: Model, ends: str) -> None:
     ends : {"clamped", "sliding"}
     """
     if ends not in ("clamped", "sliding"):
-        raise ValueError(f'ends must be "clamped" or "sliding", not {ends!r}')
+        raise ValueError(f'ends must be "clamped" or "sliding" (of strands and cables also "periodic"), not {ends!r}')
     wires = [wire for group in model.groups.values() for wire in group.wires]
     model.node_set("MINUS", [wire.nodes[0] for wire in wires])
     model.node_set("PLUS", [wire.nodes[-1] for wire in wires])

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import h5py
 import numpy as np
 
-from ..base.names import unknown_name
+from ..base.names import unknown_field, unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
@@ -323,7 +323,7 @@ class ResultFile:
             (n_nodes or n_elements) for a scalar, (..., 3) for a vector, in the unit that `units` has for it.
         """
         if name not in self._attributes:
-            raise KeyError(unknown_name("field", name, self._attributes))
+            raise KeyError(unknown_field(name, self._attributes))
         with self._open() as file:
             data, starts, n_rows = self._place_of(name, file)
             if increment is not None:

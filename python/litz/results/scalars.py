@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..base.names import unknown_name
+from ..base.names import unknown_field
 from ..base.quantities import per
 from .result_file import ResultFile
 
@@ -109,7 +109,7 @@ def find_scalar(results: ResultFile, name: str) -> Scalar:
     """The scalar of a name; a `KeyError` suggests similar names and lists all."""
     known = scalars(results)
     if name not in known:
-        raise KeyError(unknown_name("field", name, [one for one in known if "." not in one]))
+        raise KeyError(unknown_field(name, [one for one in known if "." not in one]))
     return known[name]
 
 

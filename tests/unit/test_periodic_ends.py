@@ -1,0 +1,71 @@
+"""Cells of cables with periodic ends: lays by which ends fit, and equations that tie them."""
+
+import numpy as np
+import pytest
+
+from litz import build
+
+PLAN = {"radius": 0.41e-3, "ends": "periodic"}
+
+
+def ends_of(model, length):
+    """Where wires begin, and where they end, moved down by the length."""
+    wires = [wire for group in model.groups.values() for wire in group.wires]
+    starts, ends = (np.array([model.x[wire.nodes[k] - 1] for wire in wires]) for k in (0, -1))
+    return starts, ends - (0, 0, length)
+
+
+@pytest.mark.parametrize(
+    ("stages", "lays", "length", "fit"),
+    [
+        # positions have eight digits
+        ([[3]], [80e-3], 80e-3 / 3, 1e-9),
+        ([[1, 6]], [[45e-3]], 15e-3, 1e-9),
+        ([[3], [3]], [20e-3, 40e-3], 40e-3 / 3, 1e-9),
+        # bundles within bundles differ a little in length
+        ([[3], [3], [5]], [80e-3, 140e-3, 190e-3], 190e-3, 0.1 * 0.41e-3),
+    ],
+)
+def test_wires_end_where_others_begin(stages, lays, length, fit):
+    model = build.cable(stages, lay_lengths=lays, length=length, **PLAN)
+    starts, ends = ends_of(model, length)
+    distance = np.linalg.norm(ends[:, None] - starts[None], axis=2)
+    assert distance.min(axis=1).max() < fit
+    assert sorted(distance.argmin(axis=1)) == list(range(len(starts)))
+    deck = model.to_deck()
+    assert deck.count("*EQUATION") >= 1
+    assert "lay of" in deck
+
+
+def test_a_lay_is_changed_so_that_ends_fit():
+    model = build.cable([[3]], lay_lengths=[80e-3], length=28e-3, **PLAN)
+    assert any("lay of 0.084 m, for 0.08" in comment for comment in model.comments)
+
+
+def test_strands_of_two_materials_need_whole_turns():
+    bronze = build.Material("BRONZE", young=110e9, poisson=0.34, conductivity=9e6)
+    mixed = {"material": [[bronze, bronze, build.COPPER]], "lay_lengths": [80e-3]}
+    build.cable([[3]], length=80e-3, **mixed, **PLAN)
+    with pytest.raises(ValueError, match=r"0\.3333 turns from end to end; periodic ends need a whole number of turns:"):
+        build.cable([[3]], length=80e-3 / 3, **mixed, **PLAN)
+
+
+def test_a_length_that_does_not_fit_is_said():
+    with pytest.raises(
+        ValueError, match=r"whole number of turns over 3: .* A length of .* or 1\.333 times this one fits"
+    ):
+        build.cable([[3]], lay_lengths=[80e-3], length=20e-3, **PLAN)
+    with pytest.raises(ValueError, match=r"stages of one layer of bundles, stage 2 has 2"):
+        build.cable([[3], [1, 6]], lay_lengths=[20e-3, [40e-3]], length=40e-3, **PLAN)
+
+
+def test_a_jacket_takes_the_place_of_what_holds_a_cell_across():
+    model = build.cable([[3]], lay_lengths=[80e-3], length=80e-3 / 3, **PLAN)
+    held = model.groups["LAYER1"].wires[0].nodes[0]
+
+    def directions():
+        return sorted(k for one in model.supports if one.target == held for k in range(one.first, one.last + 1))
+
+    assert directions() == [1, 2, 3, 6]
+    build.compact(model, 0.35)
+    assert directions() == [3]
