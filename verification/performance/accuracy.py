@@ -2,8 +2,8 @@
 
 The lattice of the first benchmark with more and more elements in each strut, in five increments to 2 %. The limit is the force
 on the top that litz finds with 16 elements `B33` in each. The most accurate run of OpenSees that finds a solution is compared
-with litz at the fewest elements with which it is as accurate. OpenSees, with both its solvers, stops at the largest residual force at which litz stopped. Time of litz:
-the whole process; of OpenSees: the increments only.
+with litz at the fewest elements with which it is as accurate. OpenSees, with both its solvers, stops at the largest residual
+force at which litz stopped. Time of litz: the whole process; of OpenSees: the increments only.
 """
 
 import numpy as np
@@ -83,11 +83,11 @@ def tables(values):
     found = []
     for row in values["sizes"]:
         ours, _ = compared(row["runs"])
-        lines = [
-            [run["elements"], run["per_strut"], run["program"], 100 * run["deviation"], run["iterations"]]
-            + [run["seconds"], run["memory"] / 1e6, run["seconds"] / ours["seconds"] if ours else None]
-            for run in row["runs"]
-        ]
+        lines = []
+        for run in row["runs"]:
+            share = run["seconds"] / ours["seconds"] if ours else None
+            of_run = run["elements"], run["per_strut"], run["program"], 100 * run["deviation"], run["iterations"]
+            lines.append([*of_run, run["seconds"], run["memory"] / 1e6, share])
         found.append(
             (f"Lattice of {row['size']} elements at two per strut, limit {row['limit']:.6g} N", columns, lines)
         )
