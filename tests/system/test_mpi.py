@@ -93,7 +93,6 @@ def test_one_two_and_four_processes_give_the_same_answers(mpi, inputs, tmp_path,
         assert_same_answers(results[ranks], results[1])
 
 
-@pytest.mark.slow
 def test_a_run_goes_on_with_another_number_of_processes(mpi, tmp_path):
     deck = tmp_path / "deck.inp"
     deck.write_text(keeping(cantilever("*CLOAD\n 11, 3, -50.", static="0.25, 1"), KEEP_ALL))
@@ -107,7 +106,6 @@ def test_a_run_goes_on_with_another_number_of_processes(mpi, tmp_path):
     np.testing.assert_allclose(part, whole, rtol=0, atol=FIELD * np.abs(whole).max())
 
 
-@pytest.mark.slow
 def test_an_error_ends_all_processes_with_its_message_and_exit_code(mpi, tmp_path):
     deck = tmp_path / "deck.inp"
     deck.write_text("*NONSENSE\n")

@@ -4,7 +4,7 @@ import importlib
 
 import numpy as np
 import pytest
-from verification.performance import factorisation, growth, page, pile, process
+from verification.performance import accuracy, factorisation, growth, networks, page, pile, process
 from verification.performance.lattice import lattice
 from verification.performance.run import BENCHMARKS
 
@@ -70,6 +70,44 @@ def test_the_pile_of_the_other_programs_has_a_node_of_both_fibres_at_each_crossi
         assert lengths.sum() == pytest.approx(
             np.linalg.norm(np.diff(model.x[model.connectivity], axis=1), axis=2).sum()
         )
+
+
+def test_litz_is_compared_at_the_fewest_elements_with_which_it_is_as_accurate_as_the_other_program():
+    def run(program, per_strut, deviation, seconds):
+        return {"program": program, "per_strut": per_strut, "deviation": deviation, "seconds": seconds}
+
+    runs = [
+        run("litz", 1, 2e-3, 0.1),
+        run("litz", 2, 4e-4, 0.2),
+        run("litz", 4, 1e-5, 0.4),
+        run("OpenSeesPy Mumps", 4, 4e-3, 1.0),
+        run("OpenSeesPy UmfPack", 8, 9e-4, 5.0),
+        run("OpenSeesPy Mumps", 8, 9e-4, 4.0),
+    ]
+    assert [found["seconds"] for found in accuracy.compared(runs)] == [0.2, 4.0]
+    assert accuracy.compared(runs[:3]) == (None, None)
+    found = accuracy.aims({"sizes": [{"size": 1000, "runs": runs}]})
+    assert [value for _, value, _ in found] == [4e-4, pytest.approx(0.05)]
+
+
+@pytest.mark.parametrize(("elements", "bounds"), [(10368, (1 / 8, 1 / 12)), (98496, (1 / 4, 1 / 6))])
+def test_the_targets_beside_open_sees_are_those_of_the_size(elements, bounds):
+    ours = {"elements": elements}
+    other = {"program": "OpenSeesPy", "seconds_per_iteration": 1.0, "iteration_ratio": 5.0, "time_ratio": 9.0}
+    row = ours | {"others": [other | {"memory": 1.0, "memory_ratio": 2.0}]}
+    found = networks.aims({"sizes": [row]})
+    assert [bound for *_, bound in found] == [*bounds, 1.0]
+    assert [value for _, value, _ in found] == [pytest.approx(value) for value in (1 / 5, 1 / 9, 1 / 2)]
+
+
+def test_a_lattice_has_the_same_joints_with_any_number_of_elements_per_strut(tmp_path):
+    (coarse, two, _), (fine, eight, _) = lattice(200), lattice(800, per_strut=8)
+    assert len(eight) == 4 * len(two)
+    joints = len(coarse) - len(two) // 2
+    np.testing.assert_array_equal(coarse[:joints], fine[:joints])
+    networks.write_problem(tmp_path / "fine.npz", 800, 1e-7, per_strut=8)
+    with np.load(tmp_path / "fine.npz") as problem:
+        assert (np.bincount(problem["wire"]) == 8).all()
 
 
 def test_a_benchmark_that_failed_is_on_the_page(tmp_path):

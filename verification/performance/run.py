@@ -28,6 +28,7 @@ from .process import machine
 #: Their order on the page
 BENCHMARKS = (
     "networks",
+    "accuracy",
     "pile",
     "mats",
     "strand",
