@@ -89,12 +89,10 @@ module litz_contact_points
       real(dp) :: radius(2) = 0, ball_slope(2) = 0, ball_bend(2) = 0
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
-      !> Near the end of a wire: how that cuts its overlap, and what the pairs of cylinders and round ends have of the
-      !> force, in parts of what they would have alone (2, 2): within an iteration both stay
+      !> Near the end of a wire: how that cuts its overlap, what the pairs of cylinders and round ends have of the force,
+      !> in parts of what they would have alone (2, 2), and what is left of the stiffness: within an iteration all stay
       type(cut_lens_t) :: lens
-      real(dp) :: force_part(2, 2) = 0
-      !> What the ends leave of the stiffness of a lens without them [-]
-      real(dp) :: stiff_part = 1
+      real(dp) :: force_part(2, 2) = 0, stiff_part = 1
       !> Places as litz_cut_lens has them (2) [m]; the energy is a function of them and of the overlap, its derivatives
       !> by them are forces along the wires (2) [N], which change with the overlap (2) [N/m] and the places (2, 2) [N/m]
       real(dp) :: place(2) = 0, slide_force(2) = 0, slide_by_overlap(2) = 0, slide_stiffness(2, 2) = 0
@@ -151,8 +149,7 @@ module litz_contact_points
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
       real(dp) :: spot_section = 0, kept_overlap = 0
-      !> Force of the whole contact, whatever its share: of a crossing [N], of a place of a line per length [N/m], where
-      !> a spot is remembered of which it carries nothing
+      !> Where a spot is remembered: force of the whole contact, and that if no wire ended there, of a place per length
       real(dp) :: whole_force = 0, uncut_force = 0
       !> Overlap at which these shares were found [m]; 0: nothing overlapped. While it grows little they stay
       real(dp) :: shared_overlap = 0
