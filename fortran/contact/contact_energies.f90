@@ -35,7 +35,7 @@ contains
             energies%contact = energies%contact + elastic_energy(point) + point%history%elastic_energy &
                + point%friction%elastic_work
             energies%friction = energies%friction + point%friction%dissipation
-            energies%yielding = energies%yielding + point%yielded + point%ploughed
+            energies%yielding = energies%yielding + point%yielded + point%settled + point%ploughed
          end associate
       end do
       ! what a contact held elastically when it opened is lost

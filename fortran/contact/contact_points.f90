@@ -178,6 +178,8 @@ module litz_contact_points
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0
+      !> What shares that have been brought up to date change of its energy, as metal that yields dissipates it [J]
+      real(dp) :: settled = 0
       !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a point of a line per
       !> length [N/m]
       real(dp) :: felt_force = 0

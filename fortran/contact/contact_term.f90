@@ -24,6 +24,7 @@ module litz_contact_term
    use litz_normal_forces, only: apply_normal_law
    use litz_dents, only: follow_dents, find_left_dents, keep_left_dents, work_of_slides
    use litz_refused_contacts, only: refused_contact
+   use litz_settled_dents, only: settle_dents
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
@@ -395,6 +396,8 @@ contains
       type(energies_t), intent(inout) :: energies
 
       associate (contact => self%contact)
+         call settle_dents(domain%model, domain%elements, contact%converged, contact%points)
+         call settle_dents(domain%model, domain%elements, contact%converged_line_points, contact%line_points)
          call add_contact_energies(contact, contact%converged, contact%points, energies)
          call add_contact_energies(contact, contact%converged_line_points, contact%line_points, energies)
          energies%yielding = energies%yielding - work_of_slides(domain%model, domain%wires, domain%elements, &

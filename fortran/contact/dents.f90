@@ -58,7 +58,7 @@ contains
             end if
             dent = point%history%dent
             call follow_dent(law, wires, pair, point, dent)
-            dent%dissipation = dent%dissipation + point%ploughed
+            dent%dissipation = dent%dissipation + point%ploughed + point%settled
             if (point%line_place == 0 .and. .not. is_lens(law, point)) call follow_slide(law, wires, pair, dent, point)
             point%history%dent = dent
             call show_dent(law, pair, point%history%dent, point)

@@ -15,6 +15,8 @@ module litz_turned_lenses
 
    !> Change of the angle of a lens over its sine, for differences
    real(dp), parameter :: small_turn = 1.0e-3_dp
+   !> Part of its overlap from which on a dent may begin to load within such a change
+   real(dp), parameter :: near_top = 2*small_turn
 
 contains
 
@@ -40,7 +42,8 @@ contains
       turned%law_sine = sin(turned%law_angle)
    end function turned_by
 
-   !> How force and energy of a lens of wires that have yielded change with the angle, by differences.
+   !> How force and energy of a lens of wires that have yielded change with the angle, by differences. The torque is that
+   !> of the dent as it is, which the present force has made where it is the largest.
    pure subroutine turn_lens(normal, pair, point, overlap, law)
       type(normal_law_t), intent(in) :: normal
       type(wire_pair_t), intent(in) :: pair
@@ -49,8 +52,7 @@ contains
       real(dp), intent(in) :: overlap
       !> In: at the angle of the point
       type(force_of_gap_t), intent(inout) :: law
-      type(contact_point_t) :: turned
-      type(yielding_lens_t) :: lens(2)
+      type(yielding_lens_t) :: lens(2), now
       !> With the dent that is felt at either angle, at the angle of the point, and at the opposite one
       type(lens_state_t) :: own(2), same(2), other(2)
       type(earlier_dent_t) :: felt
@@ -59,16 +61,19 @@ contains
 
       change = small_turn*point%law_sine
       do side = 1, 2
-         turned = turned_by(point, (2*side - 3)*change)
-         turned%line = line_of_point(pair, turned)
-         lens(side) = lens_of_wires(normal, pair, turned)
+         lens(side) = turned_lens(normal, pair, point, (2*side - 3)*change)
          own(side) = state_of_lens(lens(side), overlap)
       end do
       law%dforce_dangle = (own(2)%law%force - own(1)%law%force)/(2*change)
+      felt = earlier_dent_t(force=max(point%felt_force, law%force))
+      now = with_dent(lens_of_wires(normal, pair, point), felt)
+      if (overlap > (1 - near_top)*now%deepest) then
+         call turn_out_of_dent(overlap, [now, with_dent(lens(2), felt), with_dent(turned_lens(normal, pair, point, &
+            2*change), felt)], change, law)
+         return
+      end if
       same = own
-      ! the torque is that of the dent as it is
       if (abs(lens(2)%felt - lens(1)%felt) > 0) then
-         felt = earlier_dent_t(force=point%felt_force)
          do side = 1, 2
             same(side) = state_of_lens(with_dent(lens(side), felt), overlap)
             other(side) = state_of_lens(with_dent(lens(side), earlier_dent_t(force=lens(3 - side)%felt)), overlap)
@@ -80,5 +85,40 @@ contains
       if (abs(lens(2)%felt - lens(1)%felt) > 0) law%d2energy_dangle2 = law%d2energy_dangle2 &
          + (own(2)%law%energy + own(1)%law%energy - other(2)%law%energy - other(1)%law%energy)/(2*change)**2
    end subroutine turn_lens
+
+   !> Where the dent bears as a whole, wires that are turned to a shorter lens lie in it, and otherwise they load: of its
+   !> energy, the derivative is that on the side where the dent stays.
+   pure subroutine turn_out_of_dent(overlap, lens, change, law)
+      !> [m]
+      real(dp), intent(in) :: overlap
+      !> With the dent of the same force, as it is and turned once and twice
+      type(yielding_lens_t), intent(in) :: lens(3)
+      !> Of the angle [rad]
+      real(dp), intent(in) :: change
+      type(force_of_gap_t), intent(inout) :: law
+      type(lens_state_t) :: state(3)
+      integer :: i
+
+      do i = 1, 3
+         state(i) = state_of_lens(lens(i), overlap)
+      end do
+      law%denergy_dangle = dot_product([-3, 4, -1], state%law%energy)/(2*change)
+      law%d2energy_dangle2 = dot_product([1, -2, 1], state%law%energy)/change**2
+      law%growth = dot_product([-3, 4, -1], state%law%force)/(2*change) - law%dforce_dangle
+   end subroutine turn_out_of_dent
+
+   !> The lens at another angle of its law, and all else as it was.
+   pure type(yielding_lens_t) function turned_lens(normal, pair, point, change) result(lens)
+      type(normal_law_t), intent(in) :: normal
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> [rad]
+      real(dp), intent(in) :: change
+      type(contact_point_t) :: turned
+
+      turned = turned_by(point, change)
+      turned%line = line_of_point(pair, turned)
+      lens = lens_of_wires(normal, pair, turned)
+   end function turned_lens
 
 end module litz_turned_lenses
