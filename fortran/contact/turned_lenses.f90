@@ -68,8 +68,8 @@ contains
       felt = earlier_dent_t(force=max(point%felt_force, law%force))
       now = with_dent(lens_of_wires(normal, pair, point), felt)
       if (overlap > (1 - near_top)*now%deepest) then
-         call turn_out_of_dent(overlap, [now, with_dent(lens(2), felt), with_dent(turned_lens(normal, pair, point, &
-            2*change), felt)], change, law)
+         call turn_out_of_dent(overlap, [lens(1), lens_of_wires(normal, pair, point), lens(2), turned_lens(normal, &
+            pair, point, 2*change), turned_lens(normal, pair, point, 3*change)], change, law)
          return
       end if
       same = own
@@ -86,26 +86,45 @@ contains
          + (own(2)%law%energy + own(1)%law%energy - other(2)%law%energy - other(1)%law%energy)/(2*change)**2
    end subroutine turn_lens
 
-   !> Where the dent bears as a whole, wires that are turned to a shorter lens lie in it, and otherwise they load: of its
-   !> energy, the derivative is that on the side where the dent stays.
+   !> Where the dent bears as a whole.
    pure subroutine turn_out_of_dent(overlap, lens, change, law)
       !> [m]
       real(dp), intent(in) :: overlap
-      !> With the dent of the same force, as it is and turned once and twice
-      type(yielding_lens_t), intent(in) :: lens(3)
+      !> At the angle before, at that of the point, and at the three after
+      type(yielding_lens_t), intent(in) :: lens(-1:3)
       !> Of the angle [rad]
       real(dp), intent(in) :: change
       type(force_of_gap_t), intent(inout) :: law
-      type(lens_state_t) :: state(3)
+
+      law%denergy_dangle = torque_of_dent(overlap, lens(0:2), change)
+      law%d2energy_dangle2 = (torque_of_dent(overlap, lens(1:3), change) - torque_of_dent(overlap, lens(-1:1), &
+         change))/(2*change)
+      law%growth = (torque_of_dent((1 + small_turn)*overlap, lens(0:2), change) - torque_of_dent((1 &
+         - small_turn)*overlap, lens(0:2), change))/(2*small_turn*overlap) - law%dforce_dangle
+   end subroutine turn_out_of_dent
+
+   !> Wires that are turned to a shorter lens lie in their dent, and otherwise they load: the derivative of the energy of
+   !> the dent is that on the side where it stays.
+   pure real(dp) function torque_of_dent(overlap, lens, change) result(torque)
+      !> [m]
+      real(dp), intent(in) :: overlap
+      !> At an angle, and turned once and twice
+      type(yielding_lens_t), intent(in) :: lens(3)
+      !> Of the angle [rad]
+      real(dp), intent(in) :: change
+      type(lens_state_t) :: state
+      type(earlier_dent_t) :: made
+      real(dp) :: energy(3)
       integer :: i
 
+      state = state_of_lens(lens(1), overlap)
+      made = earlier_dent_t(force=max(lens(1)%felt, state%law%force))
       do i = 1, 3
-         state(i) = state_of_lens(lens(i), overlap)
+         state = state_of_lens(with_dent(lens(i), made), overlap)
+         energy(i) = state%law%energy
       end do
-      law%denergy_dangle = dot_product([-3, 4, -1], state%law%energy)/(2*change)
-      law%d2energy_dangle2 = dot_product([1, -2, 1], state%law%energy)/change**2
-      law%growth = dot_product([-3, 4, -1], state%law%force)/(2*change) - law%dforce_dangle
-   end subroutine turn_out_of_dent
+      torque = dot_product([-3, 4, -1], energy)/(2*change)
+   end function torque_of_dent
 
    !> The lens at another angle of its law, and all else as it was.
    pure type(yielding_lens_t) function turned_lens(normal, pair, point, change) result(lens)
