@@ -174,12 +174,10 @@ module litz_contact_points
       !> left; 0: this crossing has none
       real(dp) :: fit = 0
       !> Overlap beyond which wires that have yielded touch in their dent [m]; what their contact is at the present gap,
-      !> of which all is 0 where there is no force; and what this increment has dissipated by yielding [J]
+      !> of which all is 0 where there is no force; what this increment has dissipated by yielding, and by shares [J]
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
-      real(dp) :: yielded = 0
-      !> What shares that have been brought up to date change of its energy, as metal that yields dissipates it [J]
-      real(dp) :: settled = 0
+      real(dp) :: yielded = 0, settled = 0
       !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a point of a line per
       !> length [N/m]
       real(dp) :: felt_force = 0

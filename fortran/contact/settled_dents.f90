@@ -1,10 +1,10 @@
 !> What shares that have been brought up to date change of the energy of wires that yield.
 !>
 !> Force and energy of a contact are those of its present share and far field, and of the dent as it is there. What
-!> changes of them while nothing moves is no work. Over an increment the contact does the work `V - V_0` of its potential
-!> `V`, the energy that comes back and what yielding has dissipated, with the shares of the end and the dent of the
-!> start; `V_0` is that at the gap of the start. What it held then was not `V_0` but the energy of the shares of then:
-!> the difference has been dissipated, or comes back out of what has been.
+!> changes of them while nothing moves is no work. Over an increment the contact does the work `V - V_0` of its
+!> potential `V`, the energy that comes back and what yielding has dissipated, with the shares of the end and the dent
+!> of the start; `V_0` is that at the gap of the start. What it held then was not `V_0` but the energy of the shares of
+!> then: the difference has been dissipated, or comes back out of what has been.
 !>
 !> Source: theory (15.22).
 module litz_settled_dents

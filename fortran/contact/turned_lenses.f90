@@ -42,8 +42,8 @@ contains
       turned%law_sine = sin(turned%law_angle)
    end function turned_by
 
-   !> How force and energy of a lens of wires that have yielded change with the angle, by differences. The torque is that
-   !> of the dent as it is, which the present force has made where it is the largest.
+   !> How force and energy of a lens of wires that have yielded change with the angle, by differences. The torque is
+   !> that of the dent as it is, which the present force has made where it is the largest.
    pure subroutine turn_lens(normal, pair, point, overlap, law)
       type(normal_law_t), intent(in) :: normal
       type(wire_pair_t), intent(in) :: pair
@@ -103,8 +103,8 @@ contains
          - small_turn)*overlap, lens(0:2), change))/(2*small_turn*overlap) - law%dforce_dangle
    end subroutine turn_out_of_dent
 
-   !> Wires that are turned to a shorter lens lie in their dent, and otherwise they load: the derivative of the energy of
-   !> the dent is that on the side where it stays.
+   !> Wires that are turned to a shorter lens lie in their dent, and otherwise they load: the derivative of the energy
+   !> of the dent is that on the side where it stays.
    pure real(dp) function torque_of_dent(overlap, lens, change) result(torque)
       !> [m]
       real(dp), intent(in) :: overlap
