@@ -14,7 +14,7 @@ module litz_turned_lenses
    public :: line_of_point, turned_by, turn_lens
 
    !> Change of the angle of a lens over its sine, for differences
-   real(dp), parameter :: small_turn = 1.0e-3_dp
+   real(dp), parameter :: small_turn = 5.0e-4_dp
    !> Part of its overlap from which on a dent may begin to load within such a change
    real(dp), parameter :: near_top = 2*small_turn
 
