@@ -89,8 +89,8 @@ module litz_contact_points
       real(dp) :: radius(2) = 0, ball_slope(2) = 0, ball_bend(2) = 0
       !> On the barred, on the unbarred wire it is at a round end, or at the round joint of a kink
       logical :: held(2) = .false.
-      !> Near the end of a wire: how that cuts its overlap, what the pairs of cylinders and round ends have of the force,
-      !> in parts of what they would have alone (2, 2), and what is left of the stiffness: within an iteration all stay
+      !> Near the end of a wire: how that cuts its overlap, what the pairs of cylinders and round ends have of the
+      !> force, in parts of what they would have alone (2, 2), and what stiffness is left: within an iteration all stay
       type(cut_lens_t) :: lens
       real(dp) :: force_part(2, 2) = 0, stiff_part = 1
       !> Places as litz_cut_lens has them (2) [m]; the energy is a function of them and of the overlap, its derivatives
