@@ -2,7 +2,7 @@
 module litz_contact_capture
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
    use litz_kinds, only: pi
-   use litz_contact_history, only: contact_history_t, spot_shape_t, advanced_history, spot_of_history
+   use litz_contact_history, only: contact_history_t, advanced_history, spot_of_history
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_pressure, only: elastic_pressure
    use litz_element_library, only: elements_t
@@ -68,14 +68,11 @@ contains
       integer, intent(inout) :: last_id
       type(state_t), intent(inout) :: state
       type(contact_history_t) :: history
-      type(spot_shape_t) :: shape
       integer :: i, m
 
       m = n_before
       do i = 1, size(points)
-         associate (point => points(i))
-            shape = shape_of_spot(point)
-            if (.not. point%closed) shape%uncut_force = point%uncut_force
+         associate (point => points(i), shape => shape_of_spot(points(i)))
             if (point%closed) then
                history = advanced_history(point%history, [point%arc_bar, point%arc], point%force, point%weight, &
                   force_along_line(point)/point%weight, shape, point%friction, point%new_spot)

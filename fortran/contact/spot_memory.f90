@@ -196,7 +196,9 @@ contains
       type(contact_point_t), intent(in) :: point
 
       shape = spot_shape_t(point%ellipse, point%law_sine, max(0.0_dp, -point%gap), conducting_part(point))
-      if (point%weight > 0) shape%uncut_force = uncut_force(point)
+      ! of one that other points carry, as it would be
+      shape%uncut_force = point%uncut_force
+      if (point%closed) shape%uncut_force = uncut_force(point)
    end function shape_of_spot
 
    !> The point with the law that it had when its spot was made: the section counts as in its largest lens.

@@ -52,7 +52,7 @@ contains
       real(dp), intent(in) :: overlap
       !> In: at the angle of the point
       type(force_of_gap_t), intent(inout) :: law
-      type(yielding_lens_t) :: lens(2), now
+      type(yielding_lens_t) :: lens(2), here, now
       !> With the dent that is felt at either angle, at the angle of the point, and at the opposite one
       type(lens_state_t) :: own(2), same(2), other(2)
       type(earlier_dent_t) :: felt
@@ -66,10 +66,11 @@ contains
       end do
       law%dforce_dangle = (own(2)%law%force - own(1)%law%force)/(2*change)
       felt = earlier_dent_t(force=max(point%felt_force, law%force))
-      now = with_dent(lens_of_wires(normal, pair, point), felt)
+      here = lens_of_wires(normal, pair, point)
+      now = with_dent(here, felt)
       if (overlap > (1 - near_top)*now%deepest) then
-         call turn_out_of_dent(overlap, [lens(1), lens_of_wires(normal, pair, point), lens(2), turned_lens(normal, &
-            pair, point, 2*change), turned_lens(normal, pair, point, 3*change)], change, law)
+         call turn_out_of_dent(overlap, [lens(1), here, lens(2), turned_lens(normal, pair, point, 2*change), &
+            turned_lens(normal, pair, point, 3*change)], change, law)
          return
       end if
       same = own
