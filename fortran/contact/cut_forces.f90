@@ -12,7 +12,7 @@ module litz_cut_forces
    use litz_normal_law, only: normal_law_t, force_of_gap_t
    implicit none
    private
-   public :: cut_force, settle_cut, ellipse_of_parts, kept_part, conducting_part, scaled
+   public :: cut_force, settle_cut, ellipse_of_parts, spot_of_parts, kept_part, conducting_part, scaled
 
    !> An end cuts a spot as one narrower by this, squared: what is beside it takes over (from half-spaces, see the
    !> theory)
@@ -187,6 +187,22 @@ contains
       point%ellipse%dlog_ratio_dangle = 0
    end subroutine ellipse_of_parts
 
+   !> The same for what conducts: as large as its stiffness tells (Barber, Proc. R. Soc. A 459 (2003) 53-66), which ends
+   !> leave more or less of than of the force.
+   pure subroutine spot_of_parts(pair, point, info)
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(inout) :: point
+      !> `hertz_ok` or `hertz_parallel`
+      integer, intent(out) :: info
+      real(dp) :: larger
+
+      call ellipse_of_parts(pair, point, info)
+      if (info /= hertz_ok) return
+      larger = point%stiff_part/kept_part(point)
+      point%ellipse%semi_major = larger*point%ellipse%semi_major
+      point%ellipse%approach = point%ellipse%approach/larger                   ! G = 3F/(sum of rho E* delta)
+   end subroutine spot_of_parts
+
    !> Part of the force of uncut cylinders that stays within the iteration.
    pure real(dp) function kept_part(point)
       type(contact_point_t), intent(in) :: point
@@ -195,13 +211,12 @@ contains
       if (point%lens%has_energies .and. any(point%force_part > 0)) kept_part = sum(point%force_part*point%lens%energy)
    end function kept_part
 
-   !> Part of the conductance of an uncut lens: as strips conduct as they give way, that of its stiffness; as far as the
-   !> spot is still an ellipse, that of the force, which has made it.
+   !> Part of the conductance of an uncut lens: as it conducts as it gives way, that of its stiffness.
    pure real(dp) function conducting_part(point) result(part)
       type(contact_point_t), intent(in) :: point
 
-      part = kept_part(point)
-      if (is_cut(point%lens)) part = (1 - point%section_share)*part + point%section_share*point%stiff_part
+      part = 1
+      if (is_cut(point%lens)) part = point%stiff_part
    end function conducting_part
 
    pure type(force_of_gap_t) function scaled(law, share)

@@ -7,7 +7,7 @@ module litz_normal_forces
    use litz_kinds, only: dp, pi
    use litz_contact_lens, only: angle_of_law
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_compacts
-   use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, kept_part, scaled
+   use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, spot_of_parts, kept_part, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
@@ -132,7 +132,7 @@ contains
             if (law%normal%yields()) call follow_yielding(law, pair, point)
          end if
          if (point%line_place == 0 .and. point%closed .and. is_shaped(law%normal, point)) then
-            call ellipse_of_parts(pair, point, info)
+            call spot_of_parts(pair, point, info)
          end if
       end associate
       point%force = point%at_gap%force
