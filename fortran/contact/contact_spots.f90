@@ -8,6 +8,7 @@ module litz_contact_spots
    use litz_contact_lens, only: angle_of_law, half_length_of, longest
    use litz_contact_points, only: contact_point_t, law_bad_data
    use litz_cut_forces, only: conducting_part
+   use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t
    use litz_law_input, only: wire_pair_t
    use litz_lens_law, only: lens_t, kept_lens, lens_spot_t, lens_spot, lens_integral, n_depths, share_of_line
@@ -20,7 +21,7 @@ module litz_contact_spots
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, &
       overlap_of_spot, part_of_spot, uncut_force
-   use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
+   use litz_spots_of_places, only: spot_of_cell, spot_per_length, number_of
    use litz_turned_lenses, only: turned_by
    use litz_wires, only: wires_t
    use litz_yielded_cells, only: find_yielded_cell, find_yielded_lens
@@ -234,13 +235,15 @@ contains
 
       made = lens_of_spot(law, pair, as_it_was(law, pair, point), spot_force)
       long = share_of_line(made%half_length/minval(pair%radius))
+      ! between the ends of both wires it counts as far as these are apart
+      if (is_cut(point%lens)) long = min(long, point%spot_section)
       if (.not. (law%normal%serves_lines() .and. long > 0)) return
       now = kept_lens(point%line, point%gap, point%law_sine, law%normal%line_penalty(), -made%gap)
       call spot_along_lens(law, pair, now, point, touching, touching_by_resistivity, half_width)
       call spot_along_lens(law, pair, made, point, whole, whole_by_resistivity, half_width)
       round = 0
       round_spot = contact_spot_t()
-      if (is_round(law)) then
+      if (.not. (law%spot%is_per_length .or. law%normal%is_per_length_only() .or. conducts_as_stiff(law))) then
          round = 1 - long
          call spot_of_crossing(law, pair, spot_force, point, round_spot)
       end if

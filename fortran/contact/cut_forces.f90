@@ -12,7 +12,8 @@ module litz_cut_forces
    use litz_normal_law, only: normal_law_t, force_of_gap_t
    implicit none
    private
-   public :: cut_force, settle_cut, ellipse_of_parts, spot_of_parts, kept_part, conducting_part, scaled
+   public :: cut_force, settle_cut, ellipse_of_parts, spot_of_parts, kept_part, leaves_nothing, &
+      conducting_part, scaled
 
    !> An end cuts a spot as one narrower by this, squared: what is beside it takes over (from half-spaces, see the
    !> theory)
@@ -210,6 +211,13 @@ contains
       kept_part = 1
       if (point%lens%has_energies .and. any(point%force_part > 0)) kept_part = sum(point%force_part*point%lens%energy)
    end function kept_part
+
+   !> The ends leave no force.
+   pure logical function leaves_nothing(point)
+      type(contact_point_t), intent(in) :: point
+
+      leaves_nothing = point%lens%has_energies .and. .not. any(point%force_part > 0)
+   end function leaves_nothing
 
    !> Part of the conductance of an uncut lens: as it conducts as it gives way, that of its stiffness.
    pure real(dp) function conducting_part(point) result(part)

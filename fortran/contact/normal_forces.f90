@@ -7,7 +7,7 @@ module litz_normal_forces
    use litz_kinds, only: dp, pi
    use litz_contact_lens, only: angle_of_law
    use litz_contact_points, only: contact_point_t, law_ok, law_parallel, law_too_curved, law_compacts
-   use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, spot_of_parts, kept_part, scaled
+   use litz_cut_forces, only: cut_force, settle_cut, ellipse_of_parts, spot_of_parts, kept_part, leaves_nothing, scaled
    use litz_cut_lens, only: is_cut
    use litz_element_library, only: elements_t, material_at, material_place_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
@@ -327,16 +327,17 @@ contains
       type(force_of_gap_t), intent(in) :: base
       type(contact_point_t), intent(inout) :: point
 
-      if (is_shaped(law, point) .or. is_lens(law, point) .and. is_cut(point%lens) .and. .not. law%yields()) then
+      if (is_cut(point%lens) .and. (is_shaped(law, point) .or. is_lens(law, point) .and. .not. law%yields())) then
          call cut_force(law, pair, base, point)
-      else if (is_lens(law, point) .and. is_cut(point%lens)) then
-         point%cut = kept_part(point)
+      else
+         point%cut = 1
+         if (is_cut(point%lens) .and. law%yields()) then
+            ! the ellipse of a short one is that of its parts
+            if (is_lens(law, point)) point%cut = kept_part(point)
+            if (leaves_nothing(point)) point%cut = 0
+         end if
          point%cut_stiffness = 1
          point%at_gap = scaled(base, point%weight*point%cut)
-      else
-         point%at_gap = scaled(base, point%weight)
-         point%cut = 1
-         point%cut_stiffness = 1
       end if
       ! nothing is left between its ends
       if (.not. point%cut > 0 .or. point%closed .and. .not. point%at_gap%force > 0) then
