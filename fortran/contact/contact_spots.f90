@@ -166,7 +166,30 @@ contains
       end if
       ! those of the forces
       call take_shape(shape, present, point)
+      if (is_cut(point%lens) .and. .not. circuit%follows > 0) call widen_to_present(law, pair, point, circuit)
    end subroutine find_spot_of_force
+
+   !> Beside ends, where a crossing may carry more of the contact as it is released, a spot that stays is no smaller than
+   !> the present force makes it.
+   pure subroutine widen_to_present(law, pair, point, circuit)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> In: with the spot that stays
+      type(spot_in_circuit_t), intent(inout) :: circuit
+      type(contact_point_t) :: without_memory
+      type(contact_spot_t) :: present
+
+      if (point%line_place > 0) return
+      without_memory = point
+      without_memory%history%spot_shape = spot_shape_t()
+      call find_whole_spot(law, pair, force_along_line(point)/point%weight, without_memory, present)
+      if (.not. present%conductance > circuit%spot%conductance) return
+      circuit%spot = present
+      circuit%follows = 1
+      circuit%dconductance_dgap = 0
+      circuit%dconductance = 0
+   end subroutine widen_to_present
 
    !> From now on the point has the spot of this shape, and sees these wires.
    pure subroutine take_shape(shape, line, point)

@@ -255,6 +255,7 @@ contains
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if (point%shared_overlap > 0) call reshare_crossing(law, wires, elements, contact, by_place, point)
+               largest_change = max(largest_change, abs(share_of_cylinders(point) - share_of_cylinders(earlier)))
                if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
@@ -267,6 +268,13 @@ contains
          end associate
       end do
    end subroutine renew_shares
+
+   !> Of a crossing, what places along the wires leave it.
+   pure real(dp) function share_of_cylinders(point) result(share)
+      type(contact_point_t), intent(in) :: point
+
+      share = point%weight*point%lens%share(1, 1)
+   end function share_of_cylinders
 
    !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
    !> nothing where one wire runs into the other.

@@ -53,6 +53,23 @@ def test_the_end_of_a_wire_is_a_sphere_with_its_dent(run, degrees, pair):
     assert contacts["dent"][last] > 0.6 * overlaps[-1]
 
 
+def test_wires_side_by_side_beside_an_end_are_pressed_without_a_step(run):
+    """At 10 degrees, 1.3 radii before the end of one: places along the wires carry all, where the crossing loses its
+    last share."""
+    angle = np.radians(10)
+    lower = np.linspace((-12 * COPPER.radius, 0, 0), (1.3 * COPPER.radius, 0, 0), 20)
+    upper = np.array([0, 0, STEEL.radius + COPPER.radius]) + np.outer(
+        np.linspace(-10.3, 11.7, 33) * COPPER.radius, [np.cos(angle), -np.sin(angle), 0]
+    )
+    steps = [moved(0, 0, -z * COPPER.radius, increments=n) for z, n in ((0.0138, 6), (0.0152, 40))]
+    law = BEHAVIOR.replace(str(YIELD), "3e8")
+    deck = two_wires(lower, upper, HELD, *steps, wires=(STEEL, COPPER), law=law)
+    results = solved(run(deck))
+    forces = np.array([results.contacts_at(i)["force"].sum() for i in range(6, 47)])
+    assert np.diff(forces).min() > 0
+    assert np.abs(np.diff(forces, 2)).max() < 1e-3 * forces[-1]
+
+
 def test_the_energy_of_a_pressed_end_closes(run):
     tip = from_tip((0, 0, 2 * COPPER.radius), (0.3, 0.3, 1))
     steps = [moved(0, 0, -z, increments=20) for z in (1e-6, 0.9e-6, -1e-6, 1.5e-6)]

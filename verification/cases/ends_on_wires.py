@@ -1,5 +1,7 @@
 """Round ends of wires on wires: tips that lean, crossings just before an end, and short laps; and lenses of small angles.
 
+Clean metal conducts as it gives way (J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66).
+
 Source: boundary-element solutions, references/end_in_half_space.py: of contacts that are short beside the radius on a
 half-space, of others on solid wires, references/solid_wire.py.
 """
@@ -14,12 +16,14 @@ from verification.line_decks import FIRST, SECOND, material, touching
 from verification.wire_decks import Wire
 
 RADIUS, OVERLAP = 1e-3, 1e-5
-WIRE = Wire(radius=RADIUS, young=120e9, poisson=0.34, resistivity=0.0)
+WIRE = Wire(radius=RADIUS, young=120e9, poisson=0.34, resistivity=1.7e-8)
 MODULUS = WIRE.young / (1 - WIRE.poisson**2) / 2
 #: E* r^(1/2) [N m^(-3/2)], and sqrt(r delta) [m]
 STIFFNESS, LENGTH = MODULUS * RADIUS**0.5, math.sqrt(RADIUS * OVERLAP)
 #: Slopes of tips, in sqrt(delta/r)
 SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.025)
+#: Those whose overlap is short
+SHORT_TIPS = SLOPES[:3]
 #: Lengths of laps, and of one whose wires part by these curvatures [1/r], in sqrt(r delta)
 LAPS, ARCH, BENDS = (2.5, 5.0, 10.0, 20.0), 20.0, (0.01, 0.02, 0.03)
 #: Places of crossings before the end, in sqrt(r delta)
@@ -51,6 +55,14 @@ def measure(workspace):
             force_of(workspace, f"lens_{overlap}_{half}", crossing(half * RADIUS, overlap), overlap=overlap)
             for overlap in (SLIGHT, OVERLAP)
             for half in LENSES
+        ],
+        "ends_on_wires.conductances_of_tips": [
+            conductance_of(workspace, f"live_tip_{v}", straight((0, 0), v * math.sqrt(OVERLAP / RADIUS)))
+            for v in SHORT_TIPS
+        ],
+        "ends_on_wires.conductances_at_two_ends": [
+            conductance_of(workspace, f"live_ends_{angle}", oblique(angle), ASIDE * length_of(SLIGHT), overlap=SLIGHT)
+            for angle in ANGLES
         ],
         "figure": {"tips": tips, "laps": laps},
     }
@@ -107,17 +119,28 @@ def length_of(overlap):
 
 def force_of(workspace, name, upper, end=12 * RADIUS, overlap=OVERLAP):
     """Force of the upper wire on one along x that ends there, over E* r^(1/2) delta^(3/2)."""
+    return float(contacts_of(workspace, name, upper, end, overlap)["force"].sum()) / (STIFFNESS * overlap**1.5)
+
+
+def conductance_of(workspace, name, upper, end=12 * RADIUS, overlap=OVERLAP):
+    """The same conductance, over (r delta)^(1/2) and the resistivity."""
+    contacts = contacts_of(workspace, name, upper, end, overlap)
+    return float((1 / contacts["resistance"]).sum()) * WIRE.resistivity / length_of(overlap)
+
+
+def contacts_of(workspace, name, upper, end, overlap):
+    """Contacts of the upper wire, pressed by this overlap on one along x that ends there."""
     lower = np.array([end, 0, 0]) - np.linspace(20 * RADIUS, 0, 21)[:, None] * [1, 0, 0]
     deck = join(
         heading("The end of a wire on another one", "Model   all nodes are led"),
         chain(lower, "B33", "LOWER", FIRST),
         chain(upper + np.array([0, 0, 2 * RADIUS]), "B33", "UPPER", SECOND),
         material("METAL", WIRE, "LOWER", "UPPER"),
-        touching(("LOWER", "UPPER")),
-        "*BOUNDARY\n LOWER, ENCASTRE\n UPPER, 1, 2\n UPPER, 4, 6",
-        step(f"*BOUNDARY\n UPPER, 3, 3, {-overlap:.17g}"),
+        touching(("LOWER", "UPPER"), spot="HERTZ"),
+        "*BOUNDARY\n LOWER, ENCASTRE\n LOWER, 9, 9\n UPPER, 1, 2\n UPPER, 4, 6",
+        step(f"*BOUNDARY\n UPPER, 3, 3, {-overlap:.17g}\n UPPER, 9, 9, 1e-3"),
     )
-    return float(workspace.run(name, deck).contacts_at(-1)["force"].sum()) / (STIFFNESS * overlap**1.5)
+    return workspace.run(name, deck).contacts_at(-1)
 
 
 if __name__ == "__main__":

@@ -132,6 +132,25 @@ def force_of_oblique(degrees, before, behind=np.inf, cells=120):
     return contact_force(height(*np.meshgrid(x, y, indexing="ij")), size, 1e-6)
 
 
+def stiffness_of(force, change=0.02):
+    """Stiffness over E* r^(1/2) delta^(1/2) of a force that is told for places and slopes in units of the overlap.
+
+    force: of the overlap, over the one at which the stiffness is asked for.
+    """
+    more, less = (z**1.5 * force(z) for z in (1 + change, 1 - change))
+    return (more - less) / (2 * change)
+
+
+def stiffness_of_tip(slope):
+    """The same of a tip; a contact conducts as it gives way (Barber): over the resistivity of equal wires."""
+    return stiffness_of(lambda z: force_of_tip(slope / z**0.5))
+
+
+def stiffness_of_two_ends(degrees, before):
+    """The same of wires that cross this far before the ends of both."""
+    return stiffness_of(lambda z: force_of_oblique(degrees, before / z**0.5, before / z**0.5))
+
+
 def sphere(beyond):
     """What the surface of a round end falls below that of the wire, beyond it."""
     return np.maximum(beyond, 0) ** 2 / 2
@@ -161,3 +180,5 @@ if __name__ == "__main__":
     print(*(round(force_of_crossing(before), 3) for before in (0.0, 0.3, 0.6, 1.0)))
     print(*(round(force_of_oblique(degrees, 0.6), 3) for degrees in (60, 45, 30, 22)))
     print(*(round(force_of_oblique(degrees, 0.6, 0.6), 3) for degrees in (60, 45, 30, 22)))
+    print(*(round(stiffness_of_tip(v), 3) for v in (1.0, 0.5, 0.25)))
+    print(*(round(stiffness_of_two_ends(degrees, 0.6), 3) for degrees in (60, 45, 30, 22)))
