@@ -135,7 +135,7 @@ contains
       real(dp), intent(in) :: x(3, 4), t(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
       type(spot_in_circuit_t), intent(inout) :: circuit
-      real(dp) :: spot_force
+      real(dp) :: spot_force, section
       type(contact_point_t) :: earlier
       type(line_wires_t) :: present
       type(spot_shape_t) :: shape
@@ -144,10 +144,12 @@ contains
       call force_of_spot(law%spot_memory, point%history, force_along_line(point)/point%weight, uncut_force(point), &
          point%new_spot, spot_force, circuit%follows)
       present = point%line
+      section = point%section_share
       shape = shape_of_spot(point)
       if (law%spot_memory .and. (point%spot_section > point%section_share .or. keeps_shape(law, point))) then
          earlier = as_it_was(law, pair, point)
          call take_shape(shape_of_spot(earlier), earlier%line, point)
+         if (any(point%held)) point%section_share = earlier%section_share
       end if
       if (point%line_place > 0) then
          call spot_of_cell(law, pair, spot_force, line_course(x, t, length, axis_hermite, point%foot_at_end, &
@@ -166,6 +168,7 @@ contains
       end if
       ! those of the forces
       call take_shape(shape, present, point)
+      point%section_share = section
       if (is_cut(point%lens) .and. .not. circuit%follows > 0) call widen_to_present(law, pair, point, circuit)
    end subroutine find_spot_of_force
 

@@ -154,7 +154,7 @@ contains
             ! the flattest direction lies between the wires: cosine and sine of twice its angle to this one
             twice = [radius(3 - i) + radius(i)*cos(2*angle), radius(i)*sin(2*angle)]
             twice = twice/max(norm2(twice), tiny(shift))
-            lens%extent(i) = min(1.0_dp, narrower*lens%bend(i)/(2*lens%distance) &
+            lens%extent(i) = min(1.0_dp, narrower*lens%of_wedge*lens%bend(i)/(2*lens%distance) &
                *extent_of(cylinders, (1 + twice(1))/2))
             ! a sphere that leans by t touches r t away from its pole, less where the other wire is curved that way
             shift = radius(i)*(1 - radius(i)*sin(angle)**2/sum(radius))

@@ -5,7 +5,7 @@
 module litz_shares_at_ends
    use litz_kinds, only: dp
    use litz_bent_contacts, only: feels_bends, sine_of_bends
-   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, deepest, &
+   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, find_wedges, lean_of, deepest, &
       least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
@@ -47,19 +47,36 @@ contains
       type(contact_set_t), intent(in) :: contact
       type(points_by_place_t), intent(in) :: by_place
       type(contact_point_t), intent(inout) :: point
+      type(contact_point_t) :: deeper
       real(dp) :: radius
 
       radius = minval(point%radius)
       point%lens_sine = sine_at_end(point, longest*radius)
       if (.not. any(point%held .and. .not. point%at_end)) then
          point%section_share = 0
-         if (.not. law%line_penalty() > 0) point%section_share = share_of_line(length_of_end(wires, elements, point) &
-            /radius)
+         if (.not. law%line_penalty() > 0) point%section_share = section_of_end(wires, elements, point)
+         point%spot_section = point%section_share
+         associate (kept => point%history%spot_shape%overlap)
+            if (.not. law%line_penalty() > 0 .and. kept > -point%gap) then
+               deeper = point
+               deeper%gap = -kept
+               point%spot_section = max(point%section_share, section_of_end(wires, elements, deeper))
+            end if
+         end associate
       end if
       point%lens_share = share_of_lens(law, point, angle_of_axes(point))
       call share_on_legs(law, wires, elements, contact, by_place, own_t(), point)
       if (count(point%held) == 1) call leave_to_twin(wires, contact%points, point)
    end subroutine share_end
+
+   !> How much the section counts in the law of an end: by the length of the overlap, of a wedge twice as much.
+   pure real(dp) function section_of_end(wires, elements, point) result(share)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      type(contact_point_t), intent(in) :: point
+
+      share = share_of_line((1 + lean_of(point))*length_of_end(wires, elements, point)/minval(point%radius))
+   end function section_of_end
 
    !> How far the overlap of an end reaches along both wires, until one of them ends [m].
    pure real(dp) function length_of_end(wires, elements, point) result(length)
@@ -237,7 +254,7 @@ contains
       type(contact_point_t), intent(in) :: point
       !> Of an overlap, at most [m]
       real(dp), intent(in) :: length
-      real(dp) :: bend
+      real(dp) :: bend, of_law(2), of_overlap(2)
       logical :: at_joint(2)
 
       ! along the end of one wire it is that over one of the legs of the other one
@@ -246,6 +263,8 @@ contains
       if (all(at_joint)) bend = sin(point%lens%angle)**2/point%kinematics%distance
       sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, &
          deepest*minval(point%radius))), length))
+      call find_wedges(point, of_law, of_overlap)
+      sine = max(sine, sqrt(point%kinematics%distance*maxval(of_law)))
       sine = max(least_sine, min(1.0_dp, sine))
    end function sine_at_end
 

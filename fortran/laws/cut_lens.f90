@@ -26,9 +26,11 @@ module litz_cut_lens
    real(dp), parameter :: whole_overlap = 1, all_own = 1
    !> An overlap that begins at the end is half a wedge where its place is this part of it (from half-spaces)
    real(dp), parameter :: wedge_from = 2
+   !> kappa_w over 2 kappa^2, as a power (from half-spaces)
+   real(dp), parameter :: wedge_power = 1/3.0_dp
 
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
-   real(dp), parameter :: least_common = 0.01_dp
+   real(dp), parameter :: least_common = 1.0e-3_dp
 
    !> What stays within an iteration.
    type :: cut_lens_t
@@ -50,6 +52,9 @@ module litz_cut_lens
       real(dp) :: receding(2) = 0
       !> Part of the curvature that is that of the wires, and not that of the longest overlap (2) [-]
       real(dp) :: own_bend(2) = 1
+      !> Curvature of an ellipse as long as the wedge from the end of a wire on, whose law the cylinders have there, over
+      !> that of the overlap [-]
+      real(dp) :: of_wedge = 1
       !> It is at a joint of either wire, or a joint cuts its overlap: what the cylinders (1) of all legs and the round
       !> joint (2) of the barred and the unbarred wire have of the force, in parts of what they would have alone (2, 2),
       !> and what counts of the part of both cylinders
@@ -145,7 +150,8 @@ contains
       if (all(lens%near)) of_cylinders = left_by_ends(root, foot, corner)
       both = of_cylinders*both
       scale = delta**(-energy_power)
-      pair(1, 1) = both*energy_of(middle)*scale
+      ! the law of a shorter ellipse, along as long an overlap
+      pair(1, 1) = sqrt(lens%of_wedge)*both*energy_of(middle)*scale
       pair(2, 1) = of_cylinders*(1.0_dp - cylinder(1))*over_foot(2)
       pair(1, 2) = of_cylinders*(1.0_dp - cylinder(2))*over_foot(1)
       pair(2, 2) = constant(0.0_dp)
@@ -238,7 +244,7 @@ contains
    !> `E(u)` of what a cylinder keeps before its end. The pressure is that of Hertz's ellipse, whose length along the
    !> wire is a part of that of the overlap: `u^2 = x^2/(kappa^2 delta)` before the end. Of an overlap that only begins
    !> at the end, where the wire leans, the same up to `u^2 = x^2/(kappa_w delta_c + x^2)` of a wedge, whose `kappa_w`
-   !> is that of the whole ellipse. Source: theory (10.17), (10.18a).
+   !> follows from that of the whole ellipse. Source: theory (10.17), (10.18a).
    pure type(jet_t) function energy_to(x, overlap, extent, own_bend) result(energy)
       !> `a sqrt(k/2)` [m^(1/2)], and the overlap of the cylinder at its end, delta_c
       type(jet_t), intent(in) :: x, overlap
@@ -250,7 +256,7 @@ contains
       energy = constant(merge(1.0_dp, 0.0_dp, x%value > 0))
       square = x*x
       whole = overlap + square
-      of_wedge = min(1.0_dp, sqrt(2*extent))
+      of_wedge = min(1.0_dp, (2*extent)**wedge_power)
       if (x%value > 0) then
          if (.not. square%value < extent*whole%value) return
          u = x*(extent*whole)**(-0.5_dp)

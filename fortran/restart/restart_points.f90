@@ -134,6 +134,7 @@ contains
          call table%field('lens_distance', lens%distance)
          call table%field('lens_near_joint', lens%is_near_joint)
          call table%field('lens_of_crossing', lens%of_crossing)
+         call table%field('lens_of_wedge', lens%of_wedge)
          do i = 1, 2
             call table%field('lens_near'//trim(wire(i)), lens%near(i))
             call table%field('lens_side'//trim(wire(i)), lens%side(i))
