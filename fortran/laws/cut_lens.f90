@@ -30,7 +30,7 @@ module litz_cut_lens
    real(dp), parameter :: wedge_power = 1/3.0_dp
 
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
-   real(dp), parameter :: least_common = 1.0e-3_dp
+   real(dp), parameter :: least_common = 0.01_dp
 
    !> What stays within an iteration.
    type :: cut_lens_t

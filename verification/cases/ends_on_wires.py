@@ -22,6 +22,8 @@ MODULUS = WIRE.young / (1 - WIRE.poisson**2) / 2
 STIFFNESS, LENGTH = MODULUS * RADIUS**0.5, math.sqrt(RADIUS * OVERLAP)
 #: Slopes of tips, in sqrt(delta/r)
 SLOPES = (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.025)
+#: Slopes at overlaps of a hundredth of a percent, of wedges up to a third of a radius long
+SLIGHT_SLOPES, LIGHT = (1.0, 0.5, 0.25, 0.1, 0.05, 0.03), 1e-7
 #: Those whose overlap is short
 SHORT_TIPS = SLOPES[:3]
 #: Lengths of laps, and of one whose wires part by these curvatures [1/r], in sqrt(r delta)
@@ -41,6 +43,10 @@ def measure(workspace):
     across = [force_of(workspace, f"before_{place}", straight((0, -place * LENGTH), math.inf)) for place in BEFORE]
     return {
         "ends_on_wires.tips": tips,
+        "ends_on_wires.light_tips": [
+            force_of(workspace, f"light_tip_{v}", straight((0, 0), v * math.sqrt(LIGHT / RADIUS)), overlap=LIGHT)
+            for v in SLIGHT_SLOPES
+        ],
         "ends_on_wires.laps": laps,
         "ends_on_wires.arches": arches,
         "ends_on_wires.crossings": across,

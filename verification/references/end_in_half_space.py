@@ -171,7 +171,7 @@ def force_of_wires(height, ends, cells, across=2.0, overlap=0.0):
 if __name__ == "__main__":
     for slope, bend in ((1.2, 0.0), (0.5, 0.0), (0.3, 0.0), (0.2, 0.0), (0.3, 0.1), (0.2, 0.3)):
         print(slope, bend, *(force_of_end(slope, bend, cells) for cells in (50, 70, 100)))
-    print(*(round(force_of_tip(v), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1)))
+    print(*(round(force_of_tip(v), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.03)))
     print(*(round(force_of_tip(v, overlap=0.01), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.025)))
     print(*(round(force_of_lap(length, overlap=0.01), 3) for length in (2.5, 5.0, 10.0, 20.0)))
     print(*(round(force_of_lap(20.0, bend, overlap=0.01), 3) for bend in (0.01, 0.02, 0.03)))
