@@ -229,6 +229,8 @@ class ElementLoad:
     target: str | None
     values: tuple
     amplitude: str | None = None
+    #: Axis along which `*LORENTZ` gives the field at places
+    along: str | None = None
 
     def row(self) -> list:
         """The values of the line."""
@@ -244,10 +246,16 @@ def grouped(
     """
     if op != "MOD" and not items:
         yield card, {"OP": op}, []
-    for (amplitude, fixed), lines in groupby(items, lambda item: (item.amplitude, getattr(item, "fixed", False))):
+
+    def parameters_of(item: Prescribed | Load | Temperature | ElementLoad) -> tuple[str | None, bool, str | None]:
+        return item.amplitude, getattr(item, "fixed", False), getattr(item, "along", None)
+
+    for (amplitude, fixed, along), lines in groupby(items, parameters_of):
         parameters: dict[str, str | bool | None] = {} if op == "MOD" else {"OP": op}
         if amplitude is not None:
             parameters["AMPLITUDE"] = amplitude
         if fixed:
             parameters["FIXED"] = True
+        if along is not None:
+            parameters["ALONG"] = along
         yield card, parameters, [item.row() for item in lines]

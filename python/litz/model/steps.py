@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import numpy as np
+
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
 from .increments import SMALLEST_FRACTION, first_and_largest
@@ -321,9 +323,12 @@ class Step:
     def lorentz(
         self,
         elements: str | WireGroup,
-        field: Sequence[float],
+        field: Sequence[float] | Sequence[Sequence[float]],
         gradient: Sequence[Sequence[float]] | None = None,
         amplitude: Amplitude | str | None = None,
+        *,
+        along: str | None = None,
+        places: Sequence[float] | None = None,
     ) -> None:
         """Force of a magnetic field on the currents in wires, as `*LORENTZ` gives it.
 
@@ -331,25 +336,47 @@ class Step:
         ----------
         elements : str or WireGroup
             Where.
-        field : (3) array
-            Flux density at the origin [T].
+        field : (3) array or (n, 3) array
+            Flux density at the origin [T], or at each of the `places`, linear between them.
         gradient : (3, 3) array, optional
             Its derivatives [T/m]: row `i` holds those of component `i` by x, y and z. The trace must be zero.
         amplitude : Amplitude or str, optional
             Factor over time.
+        along : {"x", "y", "z"}, optional
+            Axis along which the places are.
+        places : (n) array, optional
+            Rising places along it [m], from the first to the last middle of the elements; the component of the field along the
+            axis is the same at all.
         """
-        row: list = [float(x) for x in field]
+        if (along is None) != (places is None):
+            raise ValueError("a field at places needs both, along= and places=")
+        if along is not None and places is not None:
+            if gradient is not None:
+                raise ValueError("a field at places has no gradient= of its own")
+            if np.shape(field) != (len(places), 3):
+                raise ValueError(
+                    f"{len(places)} places need a field of shape ({len(places)}, 3), not {np.shape(field)}"
+                )
+            for there, place in zip(np.asarray(field, dtype=float).tolist(), places, strict=True):
+                self._element_load("LORENTZ", elements, [*there, float(place)], amplitude, along.upper())
+            return
+        row = np.asarray(field, dtype=float).tolist()
         if gradient is not None:
             # the deck has the derivatives by x first
             row += [float(gradient[i][j]) for j in range(3) for i in range(3)]
         self._element_load("LORENTZ", elements, row, amplitude)
 
     def _element_load(
-        self, card: str, elements: str | WireGroup | None, row: list, amplitude: Amplitude | str | None
+        self,
+        card: str,
+        elements: str | WireGroup | None,
+        row: list,
+        amplitude: Amplitude | str | None,
+        along: str | None = None,
     ) -> None:
         target = None if elements is None else self._model.element_set_of(elements)
-        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude))
-        check_card(card, {}, [load.row()])
+        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude), along)
+        check_card(card, {} if along is None else {"ALONG": along}, [load.row()])
         self.element_loads.append(load)
 
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
