@@ -1,7 +1,7 @@
 !> *LORENTZ, ALONG: a magnetic field that is given at places along an axis, linear between them.
 !>
-!> Each two places that follow each other give a field that changes evenly, to the elements whose middle lies between them
-!> before any deformation. So an element sees one such field, and sees it at its present place.
+!> Each two places that follow each other give a field that changes evenly, to the elements whose middle lies between
+!> them before any deformation. So an element sees one such field, and sees it at its present place.
 module litz_field_tables
    use litz_kinds, only: dp
    use litz_deck, only: token_t

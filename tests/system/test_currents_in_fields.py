@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import litz
-
 from decks import crossed, straight, wire
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
@@ -209,7 +208,7 @@ class TestFieldAtPlaces:
             (table(PLACES[:3], FIELDS[:3]), 3, "element 8 has its middle at X = 0.09375, behind the last place"),
             (table(PLACES[:1], FIELDS[:1]), 1, "needs two places or more"),
             (table(PLACES[[0, 2, 1, 3]]), 3, "have to rise from line to line; found 0.03 behind 0.05"),
-            (table(PLACES, FIELDS + [[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 0, 0]]), 2, "component Bx stays as it is"),
+            (table(PLACES, FIELDS + np.outer([0, 1, 0, 0], [1, 0, 0])), 2, "component Bx stays as it is"),
             (table().replace(", 0.03\n", "\n"), 2, "place"),
             (table().replace(", 0.03\n", ", 0.03, 7\n"), 2, "too many values"),
             (table(along="R"), 0, "ALONG"),

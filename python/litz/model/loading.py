@@ -6,6 +6,8 @@ from itertools import groupby
 from numbers import Integral
 from typing import Any
 
+import numpy as np
+
 from ..deck.keyword_table import check_card, check_name, keyword
 from ..deck.lines import CardSpec
 
@@ -235,6 +237,27 @@ class ElementLoad:
     def row(self) -> list:
         """The values of the line."""
         return [self.target, *self.values]
+
+
+def field_rows(
+    field: Sequence[float] | Sequence[Sequence[float]],
+    gradient: Sequence[Sequence[float]] | None,
+    along: str | None,
+    places: Sequence[float] | None,
+) -> list[list[float]]:
+    """Values of the lines of `*LORENTZ`; the arguments are those of `Step.lorentz`."""
+    if (along is None) != (places is None):
+        raise ValueError("a field at places needs both, along= and places=")
+    values = np.asarray(field, dtype=float)
+    if places is None:
+        # the deck has the derivatives by x first
+        rest = [] if gradient is None else [float(gradient[i][j]) for j in range(3) for i in range(3)]
+        return [values.tolist() + rest]
+    if gradient is not None:
+        raise ValueError("a field at places has no gradient= of its own")
+    if values.shape != (len(places), 3):
+        raise ValueError(f"{len(places)} places need a field of shape ({len(places)}, 3), not {values.shape}")
+    return np.column_stack([values, np.asarray(places, dtype=float)]).tolist()
 
 
 def grouped(

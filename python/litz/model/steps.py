@@ -4,8 +4,6 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-import numpy as np
-
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
 from .increments import SMALLEST_FRACTION, first_and_largest
@@ -19,6 +17,7 @@ from .loading import (
     degree_of_freedom,
     degrees_of_freedom,
     directions_of,
+    field_rows,
     grouped,
     ranges_of,
 )
@@ -326,7 +325,6 @@ class Step:
         field: Sequence[float] | Sequence[Sequence[float]],
         gradient: Sequence[Sequence[float]] | None = None,
         amplitude: Amplitude | str | None = None,
-        *,
         along: str | None = None,
         places: Sequence[float] | None = None,
     ) -> None:
@@ -342,41 +340,18 @@ class Step:
             Its derivatives [T/m]: row `i` holds those of component `i` by x, y and z. The trace must be zero.
         amplitude : Amplitude or str, optional
             Factor over time.
-        along : {"x", "y", "z"}, optional
-            Axis along which the places are.
-        places : (n) array, optional
-            Rising places along it [m], from the first to the last middle of the elements; the component of the field along the
-            axis is the same at all.
+        along, places : {"x", "y", "z"} and (n) array, optional
+            Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
         """
-        if (along is None) != (places is None):
-            raise ValueError("a field at places needs both, along= and places=")
-        if along is not None and places is not None:
-            if gradient is not None:
-                raise ValueError("a field at places has no gradient= of its own")
-            if np.shape(field) != (len(places), 3):
-                raise ValueError(
-                    f"{len(places)} places need a field of shape ({len(places)}, 3), not {np.shape(field)}"
-                )
-            for there, place in zip(np.asarray(field, dtype=float).tolist(), places, strict=True):
-                self._element_load("LORENTZ", elements, [*there, float(place)], amplitude, along.upper())
-            return
-        row = np.asarray(field, dtype=float).tolist()
-        if gradient is not None:
-            # the deck has the derivatives by x first
-            row += [float(gradient[i][j]) for j in range(3) for i in range(3)]
-        self._element_load("LORENTZ", elements, row, amplitude)
+        for row in field_rows(field, gradient, along, places):
+            self._element_load("LORENTZ", elements, row, amplitude, along)
 
     def _element_load(
-        self,
-        card: str,
-        elements: str | WireGroup | None,
-        row: list,
-        amplitude: Amplitude | str | None,
-        along: str | None = None,
+        self, card: str, elements: Any, row: list, amplitude: Amplitude | str | None, along: str | None = None
     ) -> None:
         target = None if elements is None else self._model.element_set_of(elements)
-        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude), along)
-        check_card(card, {} if along is None else {"ALONG": along}, [load.row()])
+        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude), along and along.upper())
+        check_card(card, {"ALONG": load.along} if along else {}, [load.row()])
         self.element_loads.append(load)
 
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -79,9 +80,10 @@ class InterstrandResistance:
         table = self.table()
         stage, pairs = np.unique(table["stage"], return_counts=True)
         joined = [
-            values[np.isfinite(values)] for values in (table["resistance"][table["stage"] == number] for number in stage)
+            values[np.isfinite(values)]
+            for values in (table["resistance"][table["stage"] == number] for number in stage)
         ]
-        functions = {"mean": np.mean, "median": np.median, "smallest": np.min, "largest": np.max}
+        functions: dict[str, Any] = {"mean": np.mean, "median": np.median, "smallest": np.min, "largest": np.max}
         columns = {
             "stage": stage,
             "pairs": pairs,
