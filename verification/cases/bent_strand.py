@@ -103,7 +103,7 @@ def draw(values, path):
         axes.plot(full, slid, ":", color="#5b8e3e", label="rods that roll, all slip")
         found = values["figure"]
         axes.plot(found["curvature"], 1e3 * np.array(found["moment"]), ".", color="#c4451c", markersize=3, label="litz")
-        axes.set(xlabel="curvature [1/m]", ylabel="moment [mN m]")
+        axes.set(xlabel="curvature [1/m]", ylabel="moment [mN m]", ylim=(-8, 13))
         axes.legend()
 
 
