@@ -6,6 +6,7 @@ module litz_read_element_loads
    use litz_definitions, only: find_definition
    use litz_element_loads, only: element_load_t, load_kind_named, load_label, load_grav, load_lorentz, n_load_kinds, &
       n_dload_kinds
+   use litz_field_tables, only: field_axes, field_table_t
    use litz_model, only: model_t, leave_step
    use litz_reader, only: halves_of, reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
    use litz_sets, only: find_item
@@ -77,15 +78,22 @@ contains
       type(load_list_t), intent(inout) :: list
       type(token_t) :: token
       type(element_load_t) :: load
+      type(field_table_t) :: table
       integer :: line, element, set, i
       logical :: ok
 
       call apply_op(self, card, list)
       token = parameter_of(self, card, 'AMPLITUDE')
       if (token%line > 0) call find_definition(self, self%amplitudes, 'amplitude', token, load%amplitude)
+      if (keyword_of(self, card) == 'LORENTZ') table%axis = findloc(field_axes == choice_of(self, card, 'ALONG'), &
+         .true., 1)
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          if (.not. ok) cycle
+         if (table%axis > 0) then
+            call read_place(self, model, load, table, list)
+            cycle
+         end if
          if (keyword_of(self, card) == 'LORENTZ') then
             call take_field(self, load, ok)
          else
@@ -102,7 +110,33 @@ contains
          if (element > 0) call set_loads(self, model, halves_of(self, element), load, list)
          if (set > 0) call set_loads(self, model, model%element_sets(set)%members, load, list)
       end do
+      if (table%axis > 0) call table%finish(self, model)
    end subroutine read_element_loads
+
+   !> A line of *LORENTZ, ALONG: lines for the same elements that follow each other are one table.
+   subroutine read_place(self, model, load, table, list)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(element_load_t), intent(inout) :: load
+      type(field_table_t), intent(inout) :: table
+      type(load_list_t), intent(inout) :: list
+      integer, allocatable :: elements(:)
+      integer :: element, set
+
+      call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
+      if (element == 0 .and. set == 0) return
+      if (.not. table%is_of(element, set)) then
+         call table%finish(self, model)
+         if (set > 0) then
+            call table%start(element, set, model%element_sets(set)%members)
+         else
+            call table%start(element, set, halves_of(self, element))
+         end if
+      end if
+      load%kind = load_lorentz
+      call table%take(self, model, elements, load%value)
+      call set_loads(self, model, elements, load, list)
+   end subroutine read_place
 
    !> OP=NEW removes what earlier steps left, over the step; within a step all cards must agree.
    subroutine apply_op(self, card, list)

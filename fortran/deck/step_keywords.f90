@@ -153,6 +153,8 @@ contains
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
       type(field_spec_t) :: whole_model
+      character(len=1), parameter :: field_axes(3) = ['X', 'Y', 'Z']
+      integer :: i
 
       call begin(k, 'DLOAD', place_step, 'Forces on the length of wires, per reference length. PX, PY, PZ: along'// &
          ' the global axes, of fixed direction. P1, P2: along the first and second section axis (*BEAM SECTION),'// &
@@ -173,9 +175,20 @@ contains
       call begin(k, 'LORENTZ', place_step, 'Force of a magnetic field on the currents in wires (litz extension):'// &
          ' per length current times field, across both. The current is the one that is computed in the element,'// &
          ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
-         ' without the field of the wires themselves. 1 T = 1 N/(A m). Lines of a step for the same element add'// &
-         ' up. Motions and potentials are then in one Newton step, or take turns with *SOLVER, COUPLING=UPDATED.')
+         ' without the field of the wires themselves; with ALONG it is given at places along an axis. 1 T ='// &
+         ' 1 N/(A m). Lines of a step for the same element add up. Motions and potentials are then in one Newton'// &
+         ' step, or take turns with *SOLVER, COUPLING=UPDATED.')
       call add_op(k, 'fields')
+      call k%add(choice('ALONG', 'X|Y|Z', 'each line gives the field at a place along this axis; lines for the same'// &
+         ' elements that follow each other are one table, linear from place to place, within which the middles of'// &
+         ' the elements have to lie before any deformation. The component along the axis stays as it is, as a field'// &
+         ' has no divergence'))
+      do i = 1, 3
+         call k%add_data([item_field('element', 'number of an element or name of an element set'), &
+            real_field('Bx', 'N/(A m)', 'field there'), real_field('By', 'N/(A m)', 'field there'), &
+            real_field('Bz', 'N/(A m)', 'field there'), real_field('place', 'm', 'place along the axis, higher than'// &
+            ' that of the line before')], when='ALONG='//field_axes(i), last=0, optional_with=new_alone)
+      end do
       call k%add_data([item_field('element', 'number of an element or name of an element set'), &
          real_field('Bx', 'N/(A m)', 'field at the origin'), real_field('By', 'N/(A m)', 'field at the origin'), &
          real_field('Bz', 'N/(A m)', 'field at the origin'), derivative_of('x', 'x'), derivative_of('y', 'x'), &

@@ -12,6 +12,7 @@ module litz_increment_warnings
    use litz_line_contact, only: serves_lines
    use litz_parallel_wires, only: shallow_angle, parallel_warning
    use litz_run_warnings, only: run_warnings_t
+   use litz_shared_warnings, only: shared_warnings_t
    use litz_state, only: contact_t, surface_contact_t
    use litz_stored_heat, only: changes_by_heat
    use litz_step_end, only: reaches_end, fastest_change
@@ -96,6 +97,7 @@ contains
       type(outcome_t), intent(in) :: outcome
       !> Without a finding: a run that a finding ends has an error in place of warnings
       type(audit_t), intent(in) :: audit
+      type(shared_warnings_t) :: shared
       integer :: i
 
       if (len(audit%finding) > 0) return
@@ -112,11 +114,12 @@ contains
          call add_not_steady(problem)
          call add_first_increment(problem)
          do i = 1, size(state%contacts)
-            call add_contact(problem%model, state%contacts(i), warnings)
+            call add_contact(problem%model, state%contacts(i), shared)
          end do
          do i = 1, size(state%surface_contacts)
-            call add_table_ends_on_surface(problem%model, state%surface_contacts(i), warnings)
+            call add_table_ends_on_surface(problem%model, state%surface_contacts(i), shared)
          end do
+         call shared%report(warnings)
          call add_tight_bends(problem)
          call add_long_elements(problem)
          call add_unpaired_overlaps(problem, problem%model%x &
@@ -254,7 +257,7 @@ contains
    subroutine add_contact(model, contact, warnings)
       type(model_t), intent(in) :: model
       type(contact_t), intent(in) :: contact
-      type(run_warnings_t), intent(inout) :: warnings
+      type(shared_warnings_t), intent(inout) :: warnings
       integer :: elements(2)
       real(dp) :: angle
 
@@ -281,7 +284,7 @@ contains
       type(contact_t), intent(in) :: contact
       !> The user's numbers of its elements
       integer, intent(in) :: elements(2)
-      type(run_warnings_t), intent(inout) :: warnings
+      type(shared_warnings_t), intent(inout) :: warnings
       character(len=:), allocatable :: change
 
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction)%heat)
@@ -301,7 +304,7 @@ contains
       type(contact_t), intent(in) :: contact
       !> The user's numbers of its elements
       integer, intent(in) :: elements(2)
-      type(run_warnings_t), intent(inout) :: warnings
+      type(shared_warnings_t), intent(inout) :: warnings
 
       if (contact%spot_share > wide_spot) call warnings%add('wide_spot', describe_contact(model, contact)//' has'// &
          ' yielded to a spot with the area of a circle of '//to_text(contact%spot_share)//' times the radius of the'// &
@@ -347,7 +350,7 @@ contains
       type(contact_t), intent(in) :: contact
       !> The user's numbers of its elements
       integer, intent(in) :: elements(2)
-      type(run_warnings_t), intent(inout) :: warnings
+      type(shared_warnings_t), intent(inout) :: warnings
 
       ! no force: the end of a line beside it
       if (.not. contact%force > 0) return
@@ -365,7 +368,7 @@ contains
    subroutine add_table_ends_on_surface(model, contact, warnings)
       type(model_t), intent(in) :: model
       type(surface_contact_t), intent(in) :: contact
-      type(run_warnings_t), intent(inout) :: warnings
+      type(shared_warnings_t), intent(inout) :: warnings
       character(len=:), allocatable :: words
 
       associate (pair => model%surface_pairs(contact%pair), element => model%element_id(contact%element))
@@ -393,7 +396,7 @@ contains
       logical, intent(in) :: is_remembered
       !> The user's numbers of its elements (n)
       integer, intent(in) :: elements(:)
-      type(run_warnings_t), intent(inout) :: warnings
+      type(shared_warnings_t), intent(inout) :: warnings
       character(len=:), allocatable :: unit
       real(dp) :: first, last, factor, force
 

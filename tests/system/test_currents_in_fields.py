@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import litz
 from decks import crossed, straight, wire
 from same_results import KEEP_ALL
 from test_restart import assert_goes_on_from_everywhere
@@ -126,3 +127,100 @@ def test_a_field_has_no_divergence(litz, tmp_path):
     done = litz("check", "bad.inp", cwd=tmp_path)
     assert done.returncode == 1
     assert "dBx/dx + dBy/dy + dBz/dz must be zero; found 3" in done.stderr
+
+
+PLACES = np.array([0.0, 0.03, 0.05, 0.2])
+FIELDS = np.array([[0, 0.1, 0.2], [0, 0.1, 0.5], [0, -0.3, 0.1], [0, 0.0, 0.7]])
+
+
+def table(places=PLACES, fields=FIELDS, along="X", name="WIRE"):
+    rows = [f" {name}, {', '.join(map(str, field))}, {place}" for place, field in zip(places, fields, strict=True)]
+    return "\n".join([f"*LORENTZ, ALONG={along}", *rows]) + "\n"
+
+
+class TestFieldAtPlaces:
+    """A wire along x, 8 elements of 12.5 mm."""
+
+    MIDDLES = (np.arange(8) + 0.5) * LENGTH / 8
+
+    def test_the_field_is_linear_from_place_to_place(self, run):
+        """The load of an element is I t x B in its middle."""
+        results = finished(run, bar(fed(9) + table(), held="WIRE, 1, 6"))
+        there = np.array([np.interp(self.MIDDLES, PLACES, FIELDS[:, i]) for i in range(3)])
+        expected = CURRENT * np.array([0 * there[0], -there[2], there[1]]).T
+        np.testing.assert_allclose(results.field("line_load"), expected, rtol=1e-9, atol=1e-12)
+
+    def test_a_table_is_lines_with_derivatives_by_hand(self, run):
+        """Each element has the field of the two places about its middle."""
+        lines = []
+        for number, middle in enumerate(self.MIDDLES, start=1):
+            k = np.searchsorted(PLACES, middle) - 1
+            slope = (FIELDS[k + 1] - FIELDS[k]) / (PLACES[k + 1] - PLACES[k])
+            lines.append(f" {number}, " + ", ".join(map(str, [*(FIELDS[k] - slope * PLACES[k]), *slope])))
+        by_hand = finished(run, bar(fed(9) + "*LORENTZ\n" + "\n".join(lines)))
+        at_places = finished(run, bar(fed(9) + table()))
+        for name in ("line_load", "displacement", "reaction_force"):
+            assert np.allclose(at_places.field(name), by_hand.field(name), rtol=1e-9, atol=1e-15), name
+
+    def test_a_middle_at_a_place_belongs_to_one_stretch_alone(self, run):
+        places = [self.MIDDLES[0], self.MIDDLES[3], self.MIDDLES[7]]
+        results = finished(run, bar(fed(9) + table(places, FIELDS[:3]), held="WIRE, 1, 6"))
+        expected = -CURRENT * np.interp(self.MIDDLES, places, FIELDS[:3, 2])
+        np.testing.assert_allclose(results.field("line_load")[:, 1], expected, rtol=1e-9)
+
+    def test_tables_and_fields_add_up(self, run):
+        cards = fed(9) + table() + "*LORENTZ\n WIRE, 0, 0, 1\n" + table(PLACES, -FIELDS)
+        results = finished(run, bar(cards, held="WIRE, 1, 6"))
+        np.testing.assert_allclose(results.field("line_load"), [[0, -CURRENT, 0]] * 8, rtol=1e-9, atol=1e-12)
+
+    def test_it_follows_an_amplitude(self, run):
+        amplitude = "*AMPLITUDE, NAME=UPDOWN\n 0, 0, 0.5, 2, 1, 0.5\n"
+        deck = bar(fed(9) + table().replace("ALONG=X", "ALONG=X, AMPLITUDE=UPDOWN"), held="WIRE, 1, 6")
+        deck = deck.replace("*MATERIAL", amplitude + "*MATERIAL", 1)
+        loads = finished(run, deck).field("line_load")[:, 1]
+        whole = np.interp(self.MIDDLES, PLACES, FIELDS[:, 2])
+        np.testing.assert_allclose(loads, -CURRENT * 0.5 * whole, rtol=1e-9)
+
+    def test_from_python(self, tmp_path):
+        model = litz.Model("a wire in a field")
+        wire = model.wire("WIRE", (0, 0, 0), (LENGTH, 0, 0), radius=RADIUS, material=litz.COPPER, elements=8)
+        model.fix(wire)
+        model.fix(wire.start, "potential")
+        step = model.step()
+        step.current(wire.end, -CURRENT)
+        step.lorentz("WIRE", FIELDS, along="x", places=PLACES)
+        loads = model.run(tmp_path).field("line_load")[:, 1]
+        np.testing.assert_allclose(loads, -CURRENT * np.interp(self.MIDDLES, PLACES, FIELDS[:, 2]), rtol=1e-9)
+        for options, message in (
+            ({"along": "x"}, "needs both"),
+            ({"along": "x", "places": PLACES[:3]}, "need a field of shape"),
+            ({"along": "x", "places": PLACES, "gradient": np.zeros((3, 3))}, "no gradient"),
+        ):
+            with pytest.raises(ValueError, match=message):
+                step.lorentz("WIRE", FIELDS, **options)
+        with pytest.raises(ValueError, match="ALONG"):
+            step.lorentz("WIRE", FIELDS, along="r", places=PLACES)
+
+    @pytest.mark.parametrize(
+        ("cards", "line", "message"),
+        [
+            (table(PLACES[1:], FIELDS[1:]), 1, "element 1 has its middle at X = 0.00625, before the first place"),
+            (table(PLACES[:3], FIELDS[:3]), 3, "element 8 has its middle at X = 0.09375, behind the last place"),
+            (table(PLACES[:1], FIELDS[:1]), 1, "needs two places or more"),
+            (table(PLACES[[0, 2, 1, 3]]), 3, "have to rise from line to line; found 0.03 behind 0.05"),
+            (table(PLACES, FIELDS + np.outer([0, 1, 0, 0], [1, 0, 0])), 2, "component Bx stays as it is"),
+            (table().replace(", 0.03\n", "\n"), 2, "place"),
+            (table().replace(", 0.03\n", ", 0.03, 7\n"), 2, "too many values"),
+            (table(along="R"), 0, "ALONG"),
+            (table(name="NOTHING"), 1, "NOTHING"),
+        ],
+        ids=["before", "behind", "one", "falls", "divergence", "no place", "derivative", "axis", "set"],
+    )
+    def test_errors(self, litz, tmp_path, cards, line, message):
+        deck = bar(fed(9) + cards)
+        (tmp_path / "deck.inp").write_text(deck)
+        done = litz("check", "deck.inp", cwd=tmp_path)
+        assert done.returncode == 1
+        assert message.lower() in done.stderr.lower(), done.stderr
+        number = deck[: deck.index("*LORENTZ")].count("\n") + 1 + line
+        assert f"deck.inp:{number}:" in done.stderr, done.stderr

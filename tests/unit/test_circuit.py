@@ -118,3 +118,25 @@ class TestStages:
         assert stages["times_length"].tolist() == [1, 2]
         assert stages.units["times_length"] == "ohm m"
         assert repr(found) == "<InterstrandResistance: 4 wires; mean of each stage: 2, 4 ohm>"
+        assert not stages["not_joined"].any()
+
+    def test_pairs_that_nothing_joins_are_counted_and_left_out(self):
+        """One wire of the second bundle lies apart; in a bundle of two apart there is no mean."""
+        inf = np.inf
+        matrix = np.array([[0, 1, 2, inf], [1, 0, 6, inf], [2, 6, 0, inf], [inf, inf, inf, 0]])
+        bundles = {"BUNDLE1": np.array([0, 1]), "BUNDLE2": np.array([2, 3])}
+        found = InterstrandResistance(matrix, _stages(4, bundles), 0.5, np.arange(4), bundles, circuit([(0, 1)], [1.0]))
+        stages = found.stages()
+        assert stages["pairs"].tolist() == [2, 4]
+        assert stages["not_joined"].tolist() == [1, 2]
+        assert stages["mean"].tolist() == stages["median"].tolist() == [1, 4]
+        assert (stages["smallest"].tolist(), stages["largest"].tolist()) == ([1, 2], [1, 6])
+        assert stages["times_length"].tolist() == [0.5, 2]
+        assert repr(found) == (
+            "<InterstrandResistance: 4 wires; mean of each stage: 1 (1 pairs not joined), 4 (2 pairs not joined) ohm>"
+        )
+        matrix[0, 1] = matrix[1, 0] = inf
+        apart = InterstrandResistance(matrix, found.stage, 0.5, np.arange(4), bundles, found.circuit).stages()
+        assert apart["not_joined"].tolist() == [2, 2]
+        assert np.isinf(apart["mean"][0])
+        assert np.isinf(apart["median"][0])

@@ -37,7 +37,8 @@ def compact(
     ----------
     model : Model
         A cable or strand along z, with ends that are free across it: `cable(..., ends="sliding")`, or "periodic", which are then
-        held along z only. No step has been added.
+        held along z only (for cables of one stage: crossings of several slide over the ends of a cell, where they are lost, and
+        the run ends there). No step has been added.
     void_fraction : float
         Part of the section of the jacket that is not metal, at the end of the step.
     shape : {"round", "square"}

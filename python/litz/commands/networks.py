@@ -69,17 +69,20 @@ def _resistances(results: Results, increment: int, at: float, superconducting: b
         f"{place}, time {results.times[increment]:g} {units['s']}: {len(found.matrix)} wires",
         f"resistance between two wires, current enters at {at:g} of their length",
     ]
-    names = ("mean", "smallest", "largest")
+    names = ("mean", "median", "smallest", "largest")
+    counts = ["stage", "pairs"]
+    if table["not_joined"].any():
+        # resistances are those of the others
+        counts.append("not_joined")
     heads = [
-        "stage",
-        "pairs",
+        *(name.replace("_", " ") for name in counts),
         *(f"{name} [{units['ohm']}]" for name in names),
         f"times length [{units['ohm']} {units['m']}]",
     ]
     rows = [heads]
     for row in range(table.n_rows):
         values = [f"{table[name][row]:.5g}" for name in (*names, "times_length")]
-        rows.append([str(table["stage"][row]), str(table["pairs"][row]), *values])
+        rows.append([*(str(table[name][row]) for name in counts), *values])
     widths = [max(len(row[i]) for row in rows) for i in range(len(heads))]
     lines += ["  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
     lengths = results.redistribution_lengths(increment, superconducting=superconducting)

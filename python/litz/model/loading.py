@@ -6,6 +6,8 @@ from itertools import groupby
 from numbers import Integral
 from typing import Any
 
+import numpy as np
+
 from ..deck.keyword_table import check_card, check_name, keyword
 from ..deck.lines import CardSpec
 
@@ -229,10 +231,33 @@ class ElementLoad:
     target: str | None
     values: tuple
     amplitude: str | None = None
+    #: Axis along which `*LORENTZ` gives the field at places
+    along: str | None = None
 
     def row(self) -> list:
         """The values of the line."""
         return [self.target, *self.values]
+
+
+def field_rows(
+    field: Sequence[float] | Sequence[Sequence[float]],
+    gradient: Sequence[Sequence[float]] | None,
+    along: str | None,
+    places: Sequence[float] | None,
+) -> list[list[float]]:
+    """Values of the lines of `*LORENTZ`; the arguments are those of `Step.lorentz`."""
+    if (along is None) != (places is None):
+        raise ValueError("a field at places needs both, along= and places=")
+    values = np.asarray(field, dtype=float)
+    if places is None:
+        # the deck has the derivatives by x first
+        rest = [] if gradient is None else [float(gradient[i][j]) for j in range(3) for i in range(3)]
+        return [values.tolist() + rest]
+    if gradient is not None:
+        raise ValueError("a field at places has no gradient= of its own")
+    if values.shape != (len(places), 3):
+        raise ValueError(f"{len(places)} places need a field of shape ({len(places)}, 3), not {values.shape}")
+    return np.column_stack([values, np.asarray(places, dtype=float)]).tolist()
 
 
 def grouped(
@@ -244,10 +269,16 @@ def grouped(
     """
     if op != "MOD" and not items:
         yield card, {"OP": op}, []
-    for (amplitude, fixed), lines in groupby(items, lambda item: (item.amplitude, getattr(item, "fixed", False))):
+
+    def parameters_of(item: Prescribed | Load | Temperature | ElementLoad) -> tuple[str | None, bool, str | None]:
+        return item.amplitude, getattr(item, "fixed", False), getattr(item, "along", None)
+
+    for (amplitude, fixed, along), lines in groupby(items, parameters_of):
         parameters: dict[str, str | bool | None] = {} if op == "MOD" else {"OP": op}
         if amplitude is not None:
             parameters["AMPLITUDE"] = amplitude
         if fixed:
             parameters["FIXED"] = True
+        if along is not None:
+            parameters["ALONG"] = along
         yield card, parameters, [item.row() for item in lines]

@@ -17,6 +17,7 @@ from .loading import (
     degree_of_freedom,
     degrees_of_freedom,
     directions_of,
+    field_rows,
     grouped,
     ranges_of,
 )
@@ -321,9 +322,11 @@ class Step:
     def lorentz(
         self,
         elements: str | WireGroup,
-        field: Sequence[float],
+        field: Sequence[float] | Sequence[Sequence[float]],
         gradient: Sequence[Sequence[float]] | None = None,
         amplitude: Amplitude | str | None = None,
+        along: str | None = None,
+        places: Sequence[float] | None = None,
     ) -> None:
         """Force of a magnetic field on the currents in wires, as `*LORENTZ` gives it.
 
@@ -331,25 +334,24 @@ class Step:
         ----------
         elements : str or WireGroup
             Where.
-        field : (3) array
-            Flux density at the origin [T].
+        field : (3) array or (n, 3) array
+            Flux density at the origin [T], or at each of the `places`, linear between them.
         gradient : (3, 3) array, optional
             Its derivatives [T/m]: row `i` holds those of component `i` by x, y and z. The trace must be zero.
         amplitude : Amplitude or str, optional
             Factor over time.
+        along, places : {"x", "y", "z"} and (n) array, optional
+            Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
         """
-        row: list = [float(x) for x in field]
-        if gradient is not None:
-            # the deck has the derivatives by x first
-            row += [float(gradient[i][j]) for j in range(3) for i in range(3)]
-        self._element_load("LORENTZ", elements, row, amplitude)
+        for row in field_rows(field, gradient, along, places):
+            self._element_load("LORENTZ", elements, row, amplitude, along)
 
     def _element_load(
-        self, card: str, elements: str | WireGroup | None, row: list, amplitude: Amplitude | str | None
+        self, card: str, elements: Any, row: list, amplitude: Amplitude | str | None, along: str | None = None
     ) -> None:
         target = None if elements is None else self._model.element_set_of(elements)
-        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude))
-        check_card(card, {}, [load.row()])
+        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude), along and along.upper())
+        check_card(card, {"ALONG": load.along} if along else {}, [load.row()])
         self.element_loads.append(load)
 
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -49,7 +50,10 @@ class InterstrandResistance:
     def __repr__(self) -> str:
         """Sizes and means."""
         stages = self.stages()
-        means = ", ".join(f"{value:.3g}" for value in stages["mean"])
+        means = ", ".join(
+            f"{mean:.3g}" + (f" ({apart} pairs not joined)" if apart else "")
+            for mean, apart in zip(stages["mean"], stages["not_joined"], strict=True)
+        )
         return (
             f"<InterstrandResistance: {len(self.matrix)} wires; mean of each stage: {means} {self.circuit.unit['ohm']}>"
         )
@@ -68,21 +72,29 @@ class InterstrandResistance:
         return Table(columns, dict.fromkeys(columns, "") | self._units("resistance"))
 
     def stages(self) -> Table:
-        """A row for each stage: number of pairs of wires, mean, smallest and largest resistance, and mean times length."""
+        """A row for each stage: pairs of wires, how many of them nothing joins, and resistances of the others.
+
+        `mean`, `median`, `smallest`, `largest` and `times_length`, the mean times the length, are those of the pairs that are
+        joined; infinite where none is.
+        """
         table = self.table()
         stage, pairs = np.unique(table["stage"], return_counts=True)
-        of_stage = [table["resistance"][table["stage"] == number] for number in stage]
+        joined = [
+            values[np.isfinite(values)]
+            for values in (table["resistance"][table["stage"] == number] for number in stage)
+        ]
+        functions: dict[str, Any] = {"mean": np.mean, "median": np.median, "smallest": np.min, "largest": np.max}
         columns = {
             "stage": stage,
             "pairs": pairs,
+            "not_joined": pairs - np.array([len(values) for values in joined], dtype=int),
             **{
-                name: np.array([function(values) for values in of_stage], dtype=float)
-                for name, function in (("mean", np.mean), ("smallest", np.min), ("largest", np.max))
+                name: np.array([function(values) if len(values) else np.inf for values in joined], dtype=float)
+                for name, function in functions.items()
             },
         }
         columns["times_length"] = columns["mean"] * self.length
-        units = dict.fromkeys(columns, "") | self._units("mean", "smallest", "largest")
-        return Table(columns, units)
+        return Table(columns, dict.fromkeys(columns, "") | self._units(*functions))
 
     def between(self, first: str | int | Sequence[int], second: str | int | Sequence[int]) -> float:
         """Resistance between two groups of wires, those of each soldered together where the current enters [ohm].

@@ -131,7 +131,8 @@ class Results(ResultFile):
         Returns
         -------
         InterstrandResistance
-            `matrix` [ohm], `table()`, `stages()` with means within and between the stages, `between("BUNDLE1", "BUNDLE2")`.
+            `matrix` [ohm], `table()`, `stages()` with means and medians within and between the
+            stages, of pairs that are joined, and how many are not, `between("BUNDLE1", "BUNDLE2")`.
 
         Examples
         --------
