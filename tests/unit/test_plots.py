@@ -19,6 +19,7 @@ from litz.pictures.contact_marks import Spots
 from litz.pictures.margins import arrange
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.tube_mesh import tubes
+from litz.results.contact_history import contacts_over_time
 
 KINDS = (
     "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "shares", "section", "network",
@@ -297,7 +298,7 @@ class TestCharts:
 
     def test_the_number_of_contacts_is_zero_where_there_are_none(self, results):
         axes = Figure().add_subplot()
-        charts.contact_number(axes, results)
+        charts.contact_number(axes, results, contacts_over_time(results, results.steps, results.increments))
         np.testing.assert_array_equal(axes.lines[0].get_ydata(), [0, 2, 1])
 
     def test_currents_are_counted_along_the_wire(self, results):

@@ -1,5 +1,6 @@
 """The process that draws with VTK: started early, it loads VTK beside what comes before the pictures."""
 
+import os
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
@@ -48,7 +49,9 @@ def run(folder: str, longest: float, environment: Mapping[str, str] | None = Non
 
 
 def _start(environment: Mapping[str, str] | None) -> subprocess.Popen[str]:
+    # it finds packages where this process does, and need not go through the files that say where (-S)
+    known = {**(environment or os.environ), "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
     return subprocess.Popen(
-        [sys.executable, str(_PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-        env=environment,
+        [sys.executable, "-S", str(_PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+        env=known,
     )  # fmt: skip
