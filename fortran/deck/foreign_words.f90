@@ -9,7 +9,8 @@ module litz_foreign_words
    public :: role_of, role_procedure, role_idle, role_mesh, role_join, role_data
 
    !> What a keyword that litz lacks is about: the model, the analysis of a step, what changes no result of litz,
-   !> such as output: it is ignored with a warning, nodes and elements, nodes that move with others, or what data lines mean
+   !> such as output: it is ignored with a warning, nodes and elements, nodes that move with others, or what data lines
+   !> mean
    integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2, role_mesh = 3, role_join = 4, role_data = 5
 
    !> Lists are separated by bars.
@@ -143,7 +144,8 @@ module litz_foreign_words
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
       ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'members of sets are in the order of their numbers: leave it out'// &
-      ' where no *EQUATION takes them one by one; of these `litz convert THIS.inp NEW.inp` writes one for each node'), &
+      ' where no *EQUATION takes them one by one; `litz convert THIS.inp NEW.inp` writes such an *EQUATION for each'// &
+      ' node'), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
       'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'POISSON|LUMPED', '', 'leave it out: sections do not'// &

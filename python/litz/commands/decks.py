@@ -87,7 +87,9 @@ def convert_command(arguments: list[str]) -> int:
         )
     try:
         sections = sections_of(Path(options.mesh))
-        if options.radius is None and (has_steps(Path(options.mesh)) or any(one != "CIRC" for one in sections.values())):
+        if options.radius is None and (
+            has_steps(Path(options.mesh)) or any(one != "CIRC" for one in sections.values())
+        ):
             return _convert_whole_deck(options)
         with warnings.catch_warnings():
             if options.radius is not None:

@@ -32,7 +32,7 @@ def equations_in_order(cards: list[Card]) -> Iterator[str]:
         rows: list[list] = []
         for terms in (terms for one in written for terms in one or ()):
             rows.append([len(terms)])
-            rows += [sum(terms[i : i + _TERMS], []) for i in range(0, len(terms), _TERMS)]
+            rows += [[value for term in terms[i : i + _TERMS] for value in term] for i in range(0, len(terms), _TERMS)]
         card.data = rows
         yield f"*EQUATION of {', '.join(sorted(names & unsorted))} is one of each pair of nodes, in the order of UNSORTED sets"
 

@@ -86,6 +86,24 @@ def has_materials(path: Path) -> bool:
     return path.suffix.lower() == ".inp" and any(card.is_a("ELASTIC") for card in deck_cards(Deck.read(path)))
 
 
+def _comment_what_litz_lacks(
+    cards: list[Card], chunks: list[str], commented: set[int], converted: ConvertedDeck
+) -> None:
+    """Make comments of cards that litz does not have, but those that are comments by now."""
+    has_weight = any(
+        str(value).upper() == "GRAV" for card in cards if card.is_a("DLOAD") for row in card.data for value in row
+    )
+    for i, card in enumerate(cards):
+        reason = "" if i in commented else _reason_for_comment(card, has_weight)
+        if reason and i and cards[i - 1].is_a("COUPLING") and (card.is_a("KINEMATIC") or card.is_a("DISTRIBUTING")):
+            # it says how the coupling joins, of which all is told
+            chunks[i] = _commented(card, "")
+        elif reason:
+            # the program ignores cards that change no result, too
+            (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
+            chunks[i] = _commented(card, reason)
+
+
 def sections_of(path: Path) -> dict[str, str]:
     """Shape of each section of a deck, by its element set; none of files of other kinds."""
     if path.suffix.lower() != ".inp":
@@ -170,18 +188,7 @@ def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | Non
             converted.left_out.append(f"*{cards[i].name} after *END STEP: it is in no step, and CalculiX ends there")
         chunks[i] = _commented(cards[i], "")
         commented.add(i)
-    has_weight = any(
-        str(value).upper() == "GRAV" for card in cards if card.is_a("DLOAD") for row in card.data for value in row
-    )
-    for i, card in enumerate(cards):
-        reason = "" if i in commented else _reason_for_comment(card, has_weight)
-        if reason and i and cards[i - 1].is_a("COUPLING") and (card.is_a("KINEMATIC") or card.is_a("DISTRIBUTING")):
-            # it says how the coupling joins, of which all is told
-            chunks[i] = _commented(card, "")
-        elif reason:
-            # the program ignores cards that change no result, too
-            (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
-            chunks[i] = _commented(card, reason)
+    _comment_what_litz_lacks(cards, chunks, commented, converted)
     if units and not any(card.is_a("UNITS") for card in cards):
         at = 1 if cards and cards[0].is_a("HEADING") else 0
         chunks.insert(at, Card.make("UNITS", dict(units)).text)
@@ -204,12 +211,15 @@ def refusal(deck: Path) -> str:
 
 
 def refusal_by_itself(deck: Path, left_out: list[str]) -> str:
-    """What the program says about a converted deck, without what follows from cards that became comments."""
+    """What the program says about a converted deck; what follows from joints that became comments is said in a line."""
     said = refusal(deck)
     if not any(reason.startswith(_JOINS) for reason in left_out):
         return said
-    errors = re.split(r"^(?=error: )", said, flags=re.MULTILINE)
-    return "".join(one for one in errors if _OF_NO_ELEMENT not in one).rstrip("\n")
+    errors = [one for one in re.split(r"^(?=error: )", said, flags=re.MULTILINE) if one]
+    others = [one for one in errors if _OF_NO_ELEMENT not in one]
+    if len(others) < len(errors):
+        others.append("nodes that belong to no element have loads or supports: the joints above would move them")
+    return "".join(others).rstrip("\n")
 
 
 def _comment_unused_definitions(converted: ConvertedDeck) -> None:

@@ -51,7 +51,7 @@ def run(folder: str, longest: float, environment: Mapping[str, str] | None = Non
 def _start(environment: Mapping[str, str] | None) -> subprocess.Popen[str]:
     # it finds packages where this process does, and need not go through the files that say where (-S)
     known = {**(environment or os.environ), "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+    command = [sys.executable, "-S", str(_PROGRAM)]
     return subprocess.Popen(
-        [sys.executable, "-S", str(_PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-        env=known,
-    )  # fmt: skip
+        command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=known
+    )
