@@ -160,9 +160,9 @@ module litz_foreign_words
       ' material data may depend on temperature alone'), &
       foreign_word_t('AMPLITUDE', 'VALUE', '', 'leave it out where it is RELATIVE; where it is ABSOLUTE, write 1 as'// &
       ' the value of the loads, too'), &
-      foreign_word_t('AMPLITUDE', 'DEFINITION|SMOOTH|FIXED INTERVAL|BEGIN', '', 'an amplitude is a table of factors, linear between'// &
-      ' the points, which `litz convert THIS.inp NEW.inp` writes of PERIODIC, MODULATED, DECAY, SMOOTH STEP,'// &
-      ' EQUALLY SPACED and SMOOTH', &
+      foreign_word_t('AMPLITUDE', 'DEFINITION|SMOOTH|FIXED INTERVAL|BEGIN', '', 'an amplitude is a table of'// &
+      ' factors, linear between the points, which `litz convert THIS.inp NEW.inp` writes of PERIODIC, MODULATED,'// &
+      ' DECAY, SMOOTH STEP, EQUALLY SPACED and SMOOTH', &
       role_data), &
       foreign_word_t('SURFACE BEHAVIOR', 'PENALTY|AUGMENTED LAGRANGE|DIRECT', '', 'leave it out: the law is'// &
       ' satisfied exactly'), &
