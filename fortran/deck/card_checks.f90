@@ -6,7 +6,7 @@ module litz_card_checks
    use litz_deck, only: token_t
    use litz_keywords, only: parameter_spec_t, data_spec_t, unknown_keyword_message, keyword_meant, place_model, &
       place_step, place_begins_step, kind_flag, kind_choice
-   use litz_foreign_words, only: advice_about, role_of, role_idle, role_mesh
+   use litz_foreign_words, only: advice_about, role_of, role_data, role_idle, role_join, role_mesh
    use litz_reader, only: reader_t, fail_at, warn_of_idle, applies, has_choice
    use litz_value_checks, only: check_value
    implicit none
@@ -29,6 +29,7 @@ contains
          do card = 1, n
             self%spec(card) = self%table%find(self%deck%text(self%deck%cards(card)%name))
             if (self%spec(card) > 0) cycle
+            if (is_told_before(self, card)) cycle
             self%is_idle(card) = role_of(self%deck%text(self%deck%cards(card)%name)) == role_idle
             call unknown_keyword(self, card)
          end do
@@ -43,6 +44,20 @@ contains
          end do
       end associate
    end subroutine check_cards
+
+   !> A card that says which motions the coupling before it joins, which litz lacks as a whole.
+   logical function is_told_before(self, card)
+      type(reader_t), intent(in) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+
+      is_told_before = .false.
+      if (card == 1) return
+      associate (cards => self%deck%cards)
+         is_told_before = squeezed(self%deck%text(cards(card - 1)%name)) == 'COUPLING' .and. &
+            any(squeezed(self%deck%text(cards(card)%name)) == [character(len=12) :: 'KINEMATIC', 'DISTRIBUTING'])
+      end associate
+   end function is_told_before
 
    !> One that litz lacks: an error, unless it changes no result.
    subroutine unknown_keyword(self, card)
@@ -64,7 +79,7 @@ contains
       end if
    end subroutine unknown_keyword
 
-   !> Nodes and elements that an unknown keyword was to give are not told to be missing.
+   !> What an unknown keyword was to give is not told to be missing: nodes, elements, what moves nodes of no element.
    pure subroutine note_lost_mesh(self, word)
       type(reader_t), intent(inout) :: self
       !> The keyword as the user wrote it
@@ -74,6 +89,8 @@ contains
       if (role_of(word) == role_mesh) then
          self%broken_nodes = .true.
          self%broken_elements = .true.
+      else if (role_of(word) == role_join) then
+         self%broken_bodies = .true.
       else if (len(advice_about(word)) == 0) then
          meant = keyword_meant(self%table, word)
          self%broken_nodes = self%broken_nodes .or. meant == 'NODE'
@@ -216,10 +233,14 @@ contains
          end if
       end associate
       call fail_at(self, token, message)
-      if (role_of(trim(self%table%keywords(self%spec(card))%name), self%deck%text(token)) == role_mesh) then
+      select case (role_of(trim(self%table%keywords(self%spec(card))%name), self%deck%text(token)))
+      case (role_mesh)
          self%broken_nodes = .true.
          self%broken_elements = .true.
-      end if
+      case (role_data)
+         ! they are not what they would be without it
+         self%deck%cards(card)%last_data = self%deck%cards(card)%first_data - 1
+      end select
       is_sound = .false.
    end subroutine unknown_parameter
 

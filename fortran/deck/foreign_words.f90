@@ -6,11 +6,12 @@ module litz_foreign_words
    implicit none
    private
    public :: foreign_word_t, foreign_words, foreign_keyword, advice_about, advice_about_more
-   public :: role_of, role_procedure, role_idle, role_mesh
+   public :: role_of, role_procedure, role_idle, role_mesh, role_join, role_data
 
    !> What a keyword that litz lacks is about: the model, the analysis of a step, what changes no result of litz,
-   !> such as output: it is ignored with a warning, or nodes and elements
-   integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2, role_mesh = 3
+   !> such as output: it is ignored with a warning, nodes and elements, nodes that move with others, or what data lines
+   !> mean
+   integer, parameter :: role_model = 0, role_procedure = 1, role_idle = 2, role_mesh = 3, role_join = 4, role_data = 5
 
    !> Lists are separated by bars.
    type :: foreign_word_t
@@ -70,7 +71,8 @@ module litz_foreign_words
       foreign_word_t('COUPLING|KINEMATIC|DISTRIBUTING|KINEMATIC COUPLING|DISTRIBUTING COUPLING|MPC|TIE|'// &
       'EMBEDDED ELEMENT', '', '', 'nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=...'// &
       ' (or PIN NSET=...), which `litz convert THIS.inp NEW.inp` writes where they are the same; wires that are'// &
-      ' joined share a node'), &
+      ' joined share a node', &
+      role_join), &
       foreign_word_t('RELEASE', '', '', 'a hinge is two nodes at one place, an end of a beam each, that share'// &
       ' displacements: *RIGID BODY, REF NODE=..., PIN NSET=..., or *EQUATION for each of 1 to 3'), &
       foreign_word_t('BASE MOTION', '', '', 'there is no inertia: prescribe the motion of supports by *BOUNDARY,'// &
@@ -142,7 +144,8 @@ module litz_foreign_words
       foreign_word_t('NSET|ELSET', 'INSTANCE', '', 'the program reads flat decks: `litz run` of the Python package'// &
       ' places the instances, and `litz convert THIS.inp NEW.inp` writes the flat deck'), &
       foreign_word_t('NSET|ELSET', 'UNSORTED', '', 'members of sets are in the order of their numbers: leave it out'// &
-      ' where no *EQUATION takes them one by one'), &
+      ' where no *EQUATION takes them one by one; `litz convert THIS.inp NEW.inp` writes such an *EQUATION for each'// &
+      ' node'), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'TEMPERATURE|ROTARY INERTIA', '', &
       'leave it out: temperatures are the same over a section, and there is no inertia', role_idle), &
       foreign_word_t('BEAM SECTION|BEAM GENERAL SECTION', 'POISSON|LUMPED', '', 'leave it out: sections do not'// &
@@ -157,8 +160,10 @@ module litz_foreign_words
       ' material data may depend on temperature alone'), &
       foreign_word_t('AMPLITUDE', 'VALUE', '', 'leave it out where it is RELATIVE; where it is ABSOLUTE, write 1 as'// &
       ' the value of the loads, too'), &
-      foreign_word_t('AMPLITUDE', 'DEFINITION|SMOOTH', '', 'leave it out: an amplitude is a table of'// &
-      ' factors, linear between the points; write other curves point by point'), &
+      foreign_word_t('AMPLITUDE', 'DEFINITION|SMOOTH|FIXED INTERVAL|BEGIN', '', 'an amplitude is a table of'// &
+      ' factors, linear between the points, which `litz convert THIS.inp NEW.inp` writes of PERIODIC, MODULATED,'// &
+      ' DECAY, SMOOTH STEP, EQUALLY SPACED and SMOOTH', &
+      role_data), &
       foreign_word_t('SURFACE BEHAVIOR', 'PENALTY|AUGMENTED LAGRANGE|DIRECT', '', 'leave it out: the law is'// &
       ' satisfied exactly'), &
       foreign_word_t('SURFACE BEHAVIOR', 'NO SEPARATION', '', 'wires that touch can always separate'), &

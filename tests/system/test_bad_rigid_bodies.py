@@ -112,3 +112,17 @@ def test_other_constraints_lead_to_rigid_bodies(litz, tmp_path, keyword):
     result = litz("check", "bad.inp", cwd=tmp_path)
     assert result.returncode == 1
     assert "nodes that move with another one are a *RIGID BODY, REF NODE=..., TIE NSET=..." in result.stderr
+
+
+@pytest.mark.parametrize(
+    "cards", ["*KINEMATIC COUPLING, REF NODE=9\nEND, 1, 5\n", "*COUPLING, REF NODE=9, SURFACE=S\n*KINEMATIC\n1, 5\n"]
+)
+def test_what_follows_from_a_coupling_that_litz_lacks_is_not_told(litz, tmp_path, cards):
+    """That the reference node is of no element, and that the card of the coupled motions is another one litz lacks."""
+    begin = GOOD.index("*RIGID BODY")
+    stop = GOOD.index("*", begin + 1)
+    (tmp_path / "bad.inp").write_text(GOOD[:begin] + cards + GOOD[stop:])
+    result = litz("check", "bad.inp", cwd=tmp_path)
+    assert result.returncode == 1
+    assert result.stderr.count("error: ") == 1
+    assert "COUPLING: nodes that move with another one are a *RIGID BODY" in result.stderr

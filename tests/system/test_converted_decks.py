@@ -201,14 +201,25 @@ def test_parameters_that_say_what_litz_does_anyway_are_taken_away(convert, litz,
     assert litz("check", "new.inp", cwd=tmp_path).returncode == 0
 
 
-def test_the_order_of_sets_counts_in_equations_alone(convert):
-    """Members of two sets belong together in their order in Abaqus, and by their numbers in litz."""
-    sets = "*Nset, nset=A, unsorted\n 2, 1\n*Nset, nset=B\n 1, 2\n"
-    text = CCX.replace("*BOUNDARY", sets + "*BOUNDARY", 1)
+def test_sets_in_an_order_of_their_own_are_paired_in_it(convert, litz, tmp_path):
+    """Members of two sets belong together in their order in Abaqus, and by their numbers in litz: node 2 moves with node 1."""
+    sets = "*Nset, nset=A, unsorted\n 2, 3\n*Nset, nset=B, unsorted\n 1, 2\n"
+    text = CCX.replace("*BOUNDARY", sets + "*Equation\n2\nA, 2, 1., B, 2, -1.\n*BOUNDARY", 1)
+    done, new = convert(text, "--dialect", "ccx")
+    assert "*EQUATION of A, B is one of each pair of nodes, in the order of UNSORTED sets" in done.stderr
+    numbers = [
+        float(one) for one in re.search(r"\*Equation\n([^*]*)", new)[1].replace("\n", ",").split(",") if one.strip()
+    ]
+    assert numbers == [2, 2, 2, 1, 1, 2, -1, 2, 3, 2, 1, 2, 2, -1]
+    assert "unsorted" not in new
+
+
+def test_sets_of_an_equation_that_cannot_be_paired_are_told(convert):
+    sets = "*Nset, nset=A, unsorted\n 2, 1, 3\n*Nset, nset=B\n 1, 2\n"
+    text = CCX.replace("*BOUNDARY", sets + "*Equation\n2\nA, 2, 1., B, 2, -1.\n*BOUNDARY", 1)
+    done, _ = convert(text, "--dialect", "ccx")
     reason = "UNSORTED of *NSET, NSET=A: *EQUATION takes the members of sets by their numbers"
-    assert reason not in convert(text, "--dialect", "ccx")[0].stderr
-    done, _ = convert(text.replace("*BOUNDARY", "*Equation\n2\nA, 2, 1., B, 2, -1.\n*BOUNDARY", 1), "--dialect", "ccx")
-    assert reason in done.stderr.split("WITHOUT WHICH")[1]
+    assert reason in done.stderr.split("WITHOUT WHICH THE RESULTS ARE OTHERS")[1]
 
 
 def test_controls_of_other_programs_are_comments_unless_litz_has_them(convert, litz, tmp_path):
@@ -437,22 +448,22 @@ def test_copper_is_that_of_the_unit_of_length_and_no_unit_is_assumed(convert):
     assert convert(MESH, "--radius", "1", "--young", "7e4")[0].returncode == 0
 
 
-def test_sections_and_materials_of_a_mesh_that_wires_would_not_have_are_told(convert):
-    """Wires of a mesh are round; those of --radius have no material of the file."""
-    section = "*Material, name=Steel\n*Elastic\n 2.1e11, 0.3\n*Beam Section, elset=WIRE, section=RECT, material=Steel\n 1.,1.\n"
-    done, _ = convert(MESH + section, "--dialect", "abaqus")
-    assert done.returncode == 1
-    assert (
-        "the section of WIRE is ignored: it is RECT, and wires of a mesh are round (CIRC); a deck with a *STEP"
-        in done.stderr
-    )
-    assert "has no sections of round wires: radius and material are needed" in done.stderr
+def test_a_mesh_keeps_sections_of_any_shape_and_tells_what_radius_replaces(convert, litz, tmp_path):
+    """Wires of --radius are round, and have no material of the file."""
+    section = "*Material, name=Steel\n*Elastic\n 2.1e11, 0.3\n*Beam Section, elset=WIRE, section=RECT, material=Steel\n 1.,2.\n"
+    done, new = convert(MESH + section, "--dialect", "abaqus")
+    assert done.returncode == 0, done.stderr
+    assert "section=RECT, material=Steel\n 1.,2.\n" in new
+    assert "supports, contacts and loads are missing" in done.stdout
+    assert "*BOUNDARY must prevent that" in litz("check", "new.inp", cwd=tmp_path).stderr
     done, new = convert(MESH + section, "--radius", "1", "--length", "m")
     assert done.returncode == 1
     assert "materials of its own, which wires of --radius do not have: --young says what these have" in done.stderr
     assert not new
     done, new = convert(MESH + section, "--radius", "1", "--length", "m", "--young", "2.1e11")
     assert done.returncode == 0, done.stderr
+    assert "wires of --radius replace the sections of foreign.inp: WIRE (RECT)" in done.stderr
+    assert "is ignored" not in done.stderr
     assert float(re.search(r"\*ELASTIC\n (\S+),", new)[1]) == pytest.approx(2.1e11)
 
 

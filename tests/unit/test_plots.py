@@ -13,12 +13,13 @@ from matplotlib.image import imread
 import litz
 from litz.base.quantities import engineering, label
 from litz.base.table import Table
-from litz.pictures import charts, drawing_process, plots, residual_charts
+from litz.pictures import charts, drawing_process, friction_charts, plots, residual_charts
 from litz.pictures.chart_tools import wire_names
 from litz.pictures.contact_marks import Spots
 from litz.pictures.margins import arrange
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.tube_mesh import tubes
+from litz.results.contact_history import contacts_over_time
 
 KINDS = (
     "overview", "wires", "resistance", "residuals", "contacts", "lines", "currents", "shares", "section", "network",
@@ -297,8 +298,14 @@ class TestCharts:
 
     def test_the_number_of_contacts_is_zero_where_there_are_none(self, results):
         axes = Figure().add_subplot()
-        charts.contact_number(axes, results)
+        charts.contact_number(axes, results, contacts_over_time(results, results.steps, results.increments))
         np.testing.assert_array_equal(axes.lines[0].get_ydata(), [0, 2, 1])
+
+    def test_friction_that_is_round_off_is_none(self):
+        for traction, acts in ((1e-13, False), (1e-6, True)):
+            columns = {f"traction_{axis}": np.array([0.0, traction if axis == "y" else 0.0]) for axis in "xyz"}
+            ledger = Table(columns | {"force": np.array([0.0, 0.9])}, {})
+            assert friction_charts.has_friction(SimpleNamespace(contacts=ledger)) is acts
 
     def test_currents_are_counted_along_the_wire(self, results):
         axes = Figure().add_subplot()

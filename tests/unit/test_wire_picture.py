@@ -17,7 +17,7 @@ def test_vtk_is_asked_to_take_osmesa_after_a_crash(results, tmp_path, monkeypatc
     run = drawing_process.run
     monkeypatch.setattr(drawing_process.sys, "executable", str(picky))
     monkeypatch.setattr(
-        drawing_process, "run", lambda folder, longest, env: asked.append(env) or run(folder, longest, env)
+        drawing_process, "run", lambda folder, longest, env, look: asked.append(env) or run(folder, longest, env, look)
     )
     assert plot(results, "wires", tmp_path / "picture.png").stat().st_size > 10_000
     assert asked[0] is None

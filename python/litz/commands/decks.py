@@ -3,13 +3,14 @@
 import argparse
 import sys
 import textwrap
+import warnings
 from pathlib import Path
 
 from ..build.starters import new, starter_list
 from ..errors import FileError
 from ..model import COPPER, Material, Model
 from ..model.abaqus_mesh import DIALECTS
-from ..model.foreign_deck import convert_deck, has_materials, has_steps, refusal
+from ..model.foreign_deck import convert_deck, has_materials, has_steps, refusal, refusal_by_itself, sections_of
 from ..model.mesh import element_types
 from ..model.read_mesh import read_mesh
 from .parsers import command_parser
@@ -85,9 +86,15 @@ def convert_command(arguments: list[str]) -> int:
             f"{' and '.join(given)} would be of wires of --radius; without it sections and materials are those of the mesh"
         )
     try:
-        if options.radius is None and has_steps(Path(options.mesh)):
+        sections = sections_of(Path(options.mesh))
+        if options.radius is None and (
+            has_steps(Path(options.mesh)) or any(one != "CIRC" for one in sections.values())
+        ):
             return _convert_whole_deck(options)
-        mesh = read_mesh(options.mesh, dialect=options.dialect)
+        with warnings.catch_warnings():
+            if options.radius is not None:
+                warnings.filterwarnings("ignore", message=".*the section of .* is ignored")
+            mesh = read_mesh(options.mesh, dialect=options.dialect)
         if options.radius is not None and options.young is None and has_materials(Path(options.mesh)):
             raise ValueError(
                 f"{options.mesh} has materials of its own, which wires of --radius do not have: --young says what these have"
@@ -102,6 +109,9 @@ def convert_command(arguments: list[str]) -> int:
         )
         model.step()
         _write_with_outline(model, Path(options.deck))
+        if options.radius is not None and sections:
+            told = ", ".join(f"{name} ({shape or 'without a shape'})" for name, shape in sections.items())
+            warnings.warn(f"wires of --radius replace the sections of {options.mesh}: {told}", stacklevel=2)
     except ValueError as error:
         parser.error(str(error))
     print(f"wrote {options.deck}: {len(mesh.x)} nodes, {len(mesh.connectivity)} elements")
@@ -110,11 +120,16 @@ def convert_command(arguments: list[str]) -> int:
             print(f"{what}: {', '.join(sets)}")
     print("supports, contacts and loads are missing: the deck has outlines of them as comments")
     refused = refusal(Path(options.deck))
-    errors = [line for line in refused.splitlines() if line.startswith("error: ")]
-    if all(any(lacks in line for lacks in _LACKS_SUPPORTS) for line in errors):
+    if _lacks_supports_alone(refused):
         return 0
     print(f"{options.deck} CANNOT RUN AS IT IS:\n{textwrap.indent(refused, '  ')}", file=sys.stderr)
     return 1
+
+
+def _lacks_supports_alone(refused: str) -> bool:
+    """Whether all that the program says of a deck is that it has no supports."""
+    errors = [line for line in refused.splitlines() if line.startswith("error: ")]
+    return all(any(lacks in line for lacks in _LACKS_SUPPORTS) for line in errors)
 
 
 def _young(options: argparse.Namespace) -> float:
@@ -134,8 +149,13 @@ def _convert_whole_deck(options: argparse.Namespace) -> int:
     units = {} if options.length is None else {"LENGTH": options.length}
     converted = convert_deck(Path(options.mesh), options.dialect, units)
     Path(options.deck).write_text(converted.text, encoding="utf-8", errors="surrogateescape")
-    refused = refusal(Path(options.deck))
-    print(f"wrote {options.deck}" + ("" if refused else f"; look at it: litz check {options.deck}"))
+    refused = refusal_by_itself(Path(options.deck), converted.left_out)
+    is_mesh = not has_steps(Path(options.mesh))
+    if is_mesh and _lacks_supports_alone(refused):
+        refused = ""
+    print(f"wrote {options.deck}" + ("" if refused or is_mesh else f"; look at it: litz check {options.deck}"))
+    if is_mesh:
+        print("supports, contacts and loads are missing: the deck has an empty *STEP")
     for title, reasons in (
         ("comments, without which the results are the same", converted.ignored),
         ("comments, WITHOUT WHICH THE RESULTS ARE OTHERS", converted.left_out),

@@ -9,6 +9,9 @@ from ..pictures.drawing_process import ready
 from ..pictures.loading import load_matplotlib
 from .parsers import results_parser
 
+# Processors that texts and charts keep busy while VTK draws
+_FEW = 2
+
 
 def report_command(arguments: list[str]) -> int:
     """`litz report`: a page about a run."""
@@ -21,6 +24,9 @@ def report_command(arguments: list[str]) -> int:
     gc.set_threshold(100_000)
     # to start threads of BLAS, here and where VTK draws, takes longer than what they have to do
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    if processes <= _FEW:
+        # so do those of Mesa, which would wait for each other: charts are drawn meanwhile
+        os.environ.setdefault("LP_NUM_THREADS", "0")
     with ready():
         # VTK starts meanwhile
         results = import_module("..results", __package__).Results(options.results)

@@ -17,6 +17,7 @@ from ..runs import check
 from .abaqus_mesh import round_section
 from .beam_surfaces import surfaces_as_sets
 from .distributing_couplings import distributing_couplings_as_equations
+from .equations_in_order import equations_in_order
 from .face_pressures import pressures_as_forces
 from .foreign_bodies import foreign_bodies
 from .foreign_parameters import remove_foreign_parameters
@@ -34,8 +35,17 @@ _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`lit
 
 #: How the program begins to tell of a keyword that it lacks
 _LACKS = ("error: litz has no *", "error: unknown keyword")
+#: How reasons begin to tell of cards that join nodes, and what the program then says of a node that only these move
+_JOINS = tuple(
+    f"litz has no *{name}:"
+    for name in ("COUPLING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "MPC", "TIE", "EMBEDDED ELEMENT")
+)
+_OF_NO_ELEMENT = " belongs to no element"
 #: Elements without stiffness, and the cards that give their masses
 _MASSES = ("MASS", "ROTARYI", "ROTARY INERTIA")
+
+# Of decks that are a mesh with its sections
+_OUTLINE = "** Supports, contacts and loads must be added.\n*STEP\n*STATIC\n*END STEP\n"
 
 
 @dataclass
@@ -74,6 +84,35 @@ def has_steps(path: Path) -> bool:
 def has_materials(path: Path) -> bool:
     """Whether the file is a deck with materials."""
     return path.suffix.lower() == ".inp" and any(card.is_a("ELASTIC") for card in deck_cards(Deck.read(path)))
+
+
+def _comment_what_litz_lacks(
+    cards: list[Card], chunks: list[str], commented: set[int], converted: ConvertedDeck
+) -> None:
+    """Make comments of cards that litz does not have, but those that are comments by now."""
+    has_weight = any(
+        str(value).upper() == "GRAV" for card in cards if card.is_a("DLOAD") for row in card.data for value in row
+    )
+    for i, card in enumerate(cards):
+        reason = "" if i in commented else _reason_for_comment(card, has_weight)
+        if reason and i and cards[i - 1].is_a("COUPLING") and (card.is_a("KINEMATIC") or card.is_a("DISTRIBUTING")):
+            # it says how the coupling joins, of which all is told
+            chunks[i] = _commented(card, "")
+        elif reason:
+            # the program ignores cards that change no result, too
+            (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
+            chunks[i] = _commented(card, reason)
+
+
+def sections_of(path: Path) -> dict[str, str]:
+    """Shape of each section of a deck, by its element set; none of files of other kinds."""
+    if path.suffix.lower() != ".inp":
+        return {}
+    return {
+        str(card.get("ELSET", "")): str(card.get("SECTION", "")).upper()
+        for card in deck_cards(Deck.read(path))
+        if card.is_a("BEAM SECTION") or card.is_a("BEAM GENERAL SECTION")
+    }
 
 
 def convert_deck(path: Path, dialect: str | None = None, units: dict[str, str] | None = None) -> ConvertedDeck:
@@ -119,6 +158,7 @@ def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | Non
     converted.ignored += [*couplings_as_rigid_bodies(cards), *foreign_bodies(cards)]
     for change in (distributing_couplings_as_equations(cards), constraints_as_rigid_bodies(cards, dialect, path)):
         converted.tell(change)
+    converted.ignored += equations_in_order(cards)
     converted.tell(remove_foreign_parameters(cards))
     converted.ignored += keep_weights_of_earlier_steps(cards, dialect, path)
     converted.ignored += [*smooth_steps_as_tables(cards), *steps_at_once(cards), *history_requests_as_prints(cards)]
@@ -141,25 +181,19 @@ def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | Non
             for i in range(first, last + 1):
                 chunks[i] = _commented(cards[i], reason if i == first else "")
             commented |= set(range(first, last + 1))
-    if not has_step:
+    if steps and not has_step:
         converted.left_out.append("no *STEP is left: write one with *STATIC")
     for i in _outside_of_steps(cards):
         if i - 1 not in commented:
             converted.left_out.append(f"*{cards[i].name} after *END STEP: it is in no step, and CalculiX ends there")
         chunks[i] = _commented(cards[i], "")
         commented.add(i)
-    has_weight = any(
-        str(value).upper() == "GRAV" for card in cards if card.is_a("DLOAD") for row in card.data for value in row
-    )
-    for i, card in enumerate(cards):
-        reason = "" if i in commented else _reason_for_comment(card, has_weight)
-        if reason:
-            # the program ignores cards that change no result, too
-            (converted.ignored if reason.endswith("; ignored") else converted.left_out).append(reason)
-            chunks[i] = _commented(card, reason)
+    _comment_what_litz_lacks(cards, chunks, commented, converted)
     if units and not any(card.is_a("UNITS") for card in cards):
         at = 1 if cards and cards[0].is_a("HEADING") else 0
         chunks.insert(at, Card.make("UNITS", dict(units)).text)
+    if not steps:
+        chunks.append(_OUTLINE)
     converted.text = "".join(chunk if chunk.endswith("\n") else chunk + "\n" for chunk in chunks)
     _comment_unused_definitions(converted)
     return converted
@@ -174,6 +208,18 @@ def refusal(deck: Path) -> str:
         except LitzError as error:
             return str(error)
     return ""
+
+
+def refusal_by_itself(deck: Path, left_out: list[str]) -> str:
+    """What the program says about a converted deck; what follows from joints that became comments is said in a line."""
+    said = refusal(deck)
+    if not any(reason.startswith(_JOINS) for reason in left_out):
+        return said
+    errors = [one for one in re.split(r"^(?=error: )", said, flags=re.MULTILINE) if one]
+    others = [one for one in errors if _OF_NO_ELEMENT not in one]
+    if len(others) < len(errors):
+        others.append("nodes that belong to no element have loads or supports: the joints above would move them")
+    return "".join(others).rstrip("\n")
 
 
 def _comment_unused_definitions(converted: ConvertedDeck) -> None:

@@ -1,9 +1,10 @@
-"""Amplitudes of Abaqus that are smooth steps, or tables with rounded corners, as tables of litz."""
+"""Amplitudes of Abaqus that are smooth steps, tables with rounded corners or closed curves, as tables of litz."""
 
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 from ..deck import Card
+from .amplitude_curves import curve_as_table
 
 #: Pieces of a table for each smooth step: with these it is off by 0.2 % of the change
 _PIECES = 20
@@ -37,6 +38,15 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
                 f"DEFINITION=SMOOTH STEP of *AMPLITUDE, NAME={card.get('NAME')} is a table of {_PIECES} pieces for each step,"
                 " off by 0.2 % of the change; increments end at their ends"
             )
+        elif definition in ("PERIODIC", "MODULATED", "DECAY"):
+            table = curve_as_table(card, definition, cards)
+            if table:
+                del card["DEFINITION"]
+                _write(card, table)
+                yield (
+                    f"DEFINITION={definition} of *AMPLITUDE, NAME={card.get('NAME')} is a table up to time {table[-2]:g},"
+                    " off by 0.1 % of its coefficients between points; increments end at their ends"
+                )
         if card.is_a("AMPLITUDE") and "SMOOTH" in card and definition in ("", "TABULAR"):
             share = float(card["SMOOTH"])
             if 0 <= share <= _MOST_ROUNDED:

@@ -43,7 +43,7 @@ def resistance(figure: Figure, results: Results, increment: int) -> None:
 def contacts(figure: Figure, results: Results, increment: int) -> None:
     """Number, forces, spots and heat of the contacts over time."""
     ((number, forces), (spots, heat)) = figure.subplots(2, 2)
-    contact_number(number, results)
+    contact_number(number, results, contacts_over_time(results, results.steps, results.increments))
     forces_over_time(forces, results, increment)
     spot_sizes(spots, results, increment)
     contact_heat(heat, results)
@@ -209,10 +209,10 @@ def between_wires(text: str, results: Results) -> str:
     return f"{text} between wires" if results.rigid_surfaces else text
 
 
-def contact_number(axes: Axes, results: Results) -> None:
-    """Number of contacts over time."""
+def contact_number(axes: Axes, results: Results, table: Table) -> None:
+    """Number of contacts over time, of what `contacts_over_time` tells."""
     axes.set_title(between_wires("Number of contacts", results))
-    table, times = contacts_over_time(results, results.steps, results.increments), results.times
+    times = results.times
     counts = table["crossings"] + table["zones"]
     if table["zones"].any():
         axes.set_title(between_wires("Number of crossings and zones", results))

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from ..base.quantities import engineering, label
 from ..results import Results
+from ..results.contact_history import FORCE_ROUND_OFF
 from ..wires.curves import arc_lengths, element_curves, hermite_slope
 from .chart_tools import legend_beside
 from .charts import colour_of, nothing_to_draw, time_label
@@ -35,9 +36,12 @@ class Loop:
 
 
 def has_friction(results: Results) -> bool:
-    """A friction force has acted."""
+    """A friction force has acted that is more than round-off of the contact forces."""
     ledger = results.contacts
-    return bool(ledger.n_rows) and any(ledger[f"traction_{axis}"].any() for axis in "xyz")
+    if not ledger.n_rows:
+        return False
+    largest = max(np.abs(ledger[f"traction_{axis}"]).max() for axis in "xyz")
+    return bool(largest > FORCE_ROUND_OFF * np.abs(ledger["force"]).max())
 
 
 def friction(figure: Figure, results: Results, increment: int) -> None:

@@ -54,7 +54,7 @@ STYLE = {
 _DPI = 150
 _MIN_PIXELS = 200
 #: Formats of pixels, and options of Pillow: the quality of WebP is of 100
-_PIXEL_FORMATS: dict[str, dict[str, Any]] = {".png": {}, ".webp": {"quality": 88, "method": 2}}
+_PIXEL_FORMATS: dict[str, dict[str, Any]] = {".png": {}, ".webp": {"quality": 80, "method": 2}}
 #: Where the wires are in a picture of them: left, bottom, width, height
 _WIRES_BOX = (0.01, 0.13, 0.98, 0.76)
 #: Of what stands at the right of an overview, relative to its width

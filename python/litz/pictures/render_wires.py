@@ -32,10 +32,13 @@ def main() -> None:
     folder = sys.stdin.readline().rstrip("\n")
     if not folder:
         return
-    for job in sorted(Path(folder).glob("job_*.npz")):
+    for job in sorted(Path(folder).glob("job_*.npz"), key=lambda path: int(path.stem.split("_")[1])):
         picture, n_grey = draw(window, np.load(job))
         _SHARED.clear()
-        np.savez(job.with_name(job.name.replace("job", "drawn")), picture=picture, n_grey=n_grey)
+        part = job.with_name("part.npz")
+        np.savez(part, picture=picture, n_grey=n_grey)
+        # whoever looks for it finds the whole file
+        part.replace(job.with_name(job.name.replace("job", "drawn")))
     # someone waits for the end of this process: what is left needs no search for garbage
     gc.freeze()
 

@@ -4,10 +4,11 @@ import os
 import subprocess
 import tempfile
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any
 
 import matplotlib as mpl
@@ -81,21 +82,28 @@ def render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Sequence[
     pixels : ndarray
         Width and height, (2).
     """
-    return begin_rendering(scenes, camera, pixels)()
+    return list(begin_rendering(scenes, camera, pixels)())
 
 
-def begin_rendering(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Callable[[], Sequence[Drawn | None]]:
-    """As `render`, beside what this process does until it asks for the pictures by calling what is returned."""
+def begin_rendering(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> Callable[[], Iterator[Drawn | None]]:
+    """As `render`, beside what this process does until it asks for the pictures by calling what is returned, one by one."""
     pool = ThreadPoolExecutor(1)
-    drawn = pool.submit(_render, scenes, camera, pixels)
+    drawn: SimpleQueue[Drawn | None] = SimpleQueue()
+    rendering = pool.submit(_render, scenes, camera, pixels, drawn.put)
+    rendering.add_done_callback(lambda _: drawn.put(None))
     pool.shutdown(wait=False)
 
-    def finish() -> Sequence[Drawn | None]:
-        try:
-            return drawn.result()
-        except RenderingError as error:
-            warnings.warn(f"{error}; the picture is drawn with matplotlib only, without OpenGL", stacklevel=3)
-            return [None] * len(scenes)
+    def finish() -> Iterator[Drawn | None]:
+        for number in range(len(scenes)):
+            picture = drawn.get()
+            if picture is None:
+                try:
+                    rendering.result()
+                except RenderingError as error:
+                    warnings.warn(f"{error}; the picture is drawn with matplotlib only, without OpenGL", stacklevel=3)
+                yield from [None] * (len(scenes) - number)
+                return
+            yield picture
 
     return finish
 
@@ -131,8 +139,8 @@ def draw_wires(axes: Axes, scene: Scene, camera: Camera, drawn: Drawn | None) ->
     _draw_spots(axes, scene, camera)
 
 
-def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[Drawn]:
-    """The pictures, made by `render_wires.py` in a process of its own."""
+def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray, give: Callable[[Drawn], None]) -> None:
+    """Give the pictures one by one, made by `render_wires.py` in a process of its own."""
     distance = 10 * max(np.ptp(scene.outline, axis=0).max() + scene.radius.max() for scene in scenes)
     with tempfile.TemporaryDirectory() as folder:
         for number, scene in enumerate(scenes):
@@ -142,9 +150,18 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray) -> list[Dra
             }  # fmt: skip
             np.savez(Path(folder, f"job_{number}.npz"), **job)
             del job
-        _run_vtk(folder, len(scenes))
-        files = [np.load(Path(folder, f"drawn_{number}.npz")) for number in range(len(scenes))]
-        return [Drawn(file["picture"], bool(file["n_grey"] > _LEAST_GREY * pixels[0])) for file in files]
+        names = (Path(folder, f"drawn_{number}.npz") for number in range(len(scenes)))
+        path = next(names)
+
+        def look() -> None:
+            nonlocal path
+            while path.is_file():
+                file = np.load(path)
+                give(Drawn(file["picture"], bool(file["n_grey"] > _LEAST_GREY * pixels[0])))
+                path = next(names, Path(folder, "none"))
+
+        _run_vtk(folder, len(scenes), look)
+        look()
 
 
 def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]:
@@ -280,12 +297,12 @@ def _bytes(colour: str) -> list[int]:
     return [round(255 * part) for part in mpl.colors.to_rgb(colour)]
 
 
-def _run_vtk(folder: str, n_pictures: int) -> None:
+def _run_vtk(folder: str, n_pictures: int, look: Callable[[], None]) -> None:
     longest = _MAX_RENDERING_TIME + 10 * n_pictures
     # where there are no X11 libraries VTK may crash instead of taking OSMesa by itself
     for environment in (None, {**os.environ, "VTK_DEFAULT_OPENGL_WINDOW": "vtkOSOpenGLRenderWindow"}):
         try:
-            code, messages = drawing_process.run(folder, longest, environment)
+            code, messages = drawing_process.run(folder, longest, environment, look)
         except subprocess.TimeoutExpired:
             raise RenderingError(f"VTK produced no picture within {longest:g} s") from None
         if code == 0:

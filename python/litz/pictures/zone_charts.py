@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 
 from ..base.quantities import engineering, label, per
+from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
 from ..results.contact_places import ContactPlaces, contact_places
@@ -106,17 +107,24 @@ def _few_pairs(axes: Axes, pairs: np.ndarray, of_zone: np.ndarray, zones: list[n
         gaps = [[one[-1, 0], np.nan] for one in own]
         curves.append(np.concatenate([part for one, gap in zip(own, gaps, strict=True) for part in (one, [gap])])[:-1])
     groups = equal_over_places([curve[:, 0] for curve in curves], [curve[:, 1] for curve in curves])
+    ends, colours = [], []
     for i, group in enumerate(groups):
         curve, colour = curves[group[0]], colour_of(i, len(groups))
         text = name_of_group([f"{pairs[one, 0] + 1}-{pairs[one, 1] + 1}" for one in group], "pair")
         axes.plot(*curve.T, linewidth=1.3, color=colour, label=text)
-        ends = np.concatenate([zones[k][[0, -1]] for k in np.flatnonzero(of_zone == group[0])])
-        axes.scatter(*ends.T, s=14, color=colour, zorder=2.5)
+        own = [zones[k][[0, -1]] for k in np.flatnonzero(of_zone == group[0])]
+        ends += own
+        colours += [colour] * (2 * len(own))
+    axes.scatter(*np.concatenate(ends).T, s=14, c=colours, zorder=2.5)
 
 
 def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -> None:
     """Sum of the contact forces of a run with contact along lines, and the largest force per length."""
-    table = contacts_over_time(results, results.steps, results.increments)
+    _forces_and_lengths(axes, results, contacts_over_time(results, results.steps, results.increments))
+
+
+def _forces_and_lengths(axes: Axes, results: Results, table: Table) -> None:
+    """Of what `contacts_over_time` tells."""
     axes.set_title(charts.between_wires("Contact forces", results))
     force = table["force_between_wires"]
     factor, unit = engineering(force, table.units["force"])
@@ -137,7 +145,8 @@ def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -
 def contacts(figure: Figure, results: Results, increment: int) -> None:
     """Number, forces and heat of the contacts over time, and the force per length along the wires."""
     ((number, forces), (along, heat)) = figure.subplots(2, 2)
-    charts.contact_number(number, results)
-    forces_and_lengths_over_time(forces, results, increment)
+    table = contacts_over_time(results, results.steps, results.increments)
+    charts.contact_number(number, results, table)
+    _forces_and_lengths(forces, results, table)
     force_along_wires(along, results, increment)
     charts.contact_heat(heat, results)

@@ -104,6 +104,9 @@ def _page(results: Results, processes: int, load: Callable[[], None]) -> str:
     # after an error processes may still write into it
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         texts = Path(folder, "texts.json")
+        if len(results.times):
+            # once, not in each process
+            _ = results.contacts
         finish_texts = side_by_side.begin([(texts, partial(_write_texts, results, texts))], min(processes, 1))
         # matplotlib takes as long to load as all texts to write
         load()

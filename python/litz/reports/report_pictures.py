@@ -7,6 +7,7 @@ import math
 import tempfile
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -43,6 +44,8 @@ class Pictures:
     """
 
     def __init__(self, results: Results, folder: Path, processes: int) -> None:
+        # Pillow would load what writes WebP in each process anew
+        import_module("PIL.WebPImagePlugin")
         wanted = _wanted(results)
         self._texts = [one.text for one in wanted]
         self._paths = [folder / f"{number}.webp" for number in range(len(wanted))]
