@@ -172,8 +172,8 @@ contains
       if (is_cut(point%lens) .and. .not. circuit%follows > 0) call widen_to_present(law, pair, point, circuit)
    end subroutine find_spot_of_force
 
-   !> Beside ends, where a crossing may carry more of the contact as it is released, a spot that stays is no smaller than
-   !> the present force makes it.
+   !> Beside ends, where a crossing may carry more of the contact as it is released, a spot that stays is no smaller
+   !> than the present force makes it.
    pure subroutine widen_to_present(law, pair, point, circuit)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair

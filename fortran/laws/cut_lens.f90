@@ -52,8 +52,8 @@ module litz_cut_lens
       real(dp) :: receding(2) = 0
       !> Part of the curvature that is that of the wires, and not that of the longest overlap (2) [-]
       real(dp) :: own_bend(2) = 1
-      !> Curvature of an ellipse as long as the wedge from the end of a wire on, whose law the cylinders have there, over
-      !> that of the overlap [-]
+      !> Curvature of an ellipse as long as the wedge from the end of a wire on, whose law the cylinders have there,
+      !> over that of the overlap [-]
       real(dp) :: of_wedge = 1
       !> It is at a joint of either wire, or a joint cuts its overlap: what the cylinders (1) of all legs and the round
       !> joint (2) of the barred and the unbarred wire have of the force, in parts of what they would have alone (2, 2),
