@@ -213,7 +213,7 @@ contains
          wedge%length = wedge_length(tilt, point%bend(i), overlap)
          if (.not. tilt > 0) return
          wedge%lean = tilt**2/(tilt**2 + 2*bend*overlap)*(1 - smooth_step(wedge%length/radius - 1)) &
-            *(1 - smooth_step((sqrt(bend*point%kinematics%distance) - small_sine)/(moderate_sine - small_sine)))
+            *(1 - smooth_step((sqrt(bend*point%kinematics%distance) - small_sine/2)/(small_sine/2)))
       end associate
    end function wedge_at
 
