@@ -93,7 +93,8 @@ contains
       integer, intent(in) :: card
       type(interaction_t), intent(in) :: interaction
 
-      if (.not. interaction%normal%yields()) return
+      ! a law that decks do not have has been reported
+      if (.not. interaction%normal%yields() .or. .not. interaction%spot%exists()) return
       if (interaction%spot%is_of_mechanics .or. interaction%spot%can_be_per_length) return
       call fail_at(self, parameter_of(self, card, 'LAW'), 'LAW='//trim(interaction%spot%name)// &
          ' makes a spot of its own; with YIELD spots follow the force of wires that yield: LAW=HERTZ, LAW=FILM or'// &
@@ -107,7 +108,7 @@ contains
       integer, intent(in) :: card
       type(interaction_t), intent(in) :: interaction
 
-      if (.not. interaction%supertemperature) return
+      if (.not. interaction%supertemperature .or. .not. interaction%spot%exists()) return
       if (interaction%spot%can_be_per_length) call fail_at(self, parameter_of(self, card, 'SUPERTEMPERATURE'), &
          'LAW='//trim(interaction%spot%name)//' gives the resistance, whatever the temperatures in the spot:'// &
          ' SUPERTEMPERATURE is for the laws that know its size')
