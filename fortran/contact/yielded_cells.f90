@@ -13,7 +13,7 @@ module litz_yielded_cells
    use litz_model, only: interaction_t
    use litz_normal_forces, only: weight_of_lens
    use litz_spot_law, only: contact_spot_t
-   use litz_spot_resistance, only: spot_metal_t, set_conductance
+   use litz_spot_resistance, only: metal_of_law, set_conductance
    use litz_spots_of_places, only: number_of
    use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens
    use litz_yielding_line, only: line_dent_t, line_dent, line_state_t, line_state_at_overlap, yielded_strip
@@ -172,13 +172,9 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(yielding_state_t), intent(in) :: state
       type(contact_spot_t), intent(out) :: spot
-      type(spot_metal_t) :: metal
 
-      metal%resistivity = pair%resistivity
-      metal%film = number_of(law%spot, law%spot%film_number)
-      metal%resistivity_path = 0
-      if (law%spot%path_number > 0) metal%resistivity_path = law%spot%data(law%spot%path_number)
-      call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
+      call set_conductance(metal_of_law(law%spot, pair%resistivity), state%disc, state%ddisc(:2), state%area, &
+         state%darea(:2), spot)
    end subroutine spot_of_state
 
    !> What a crossing whose section counts conducts: its spot and the strip along its lens.

@@ -141,7 +141,7 @@ class _Spot(_Law):
         parameters = {"LAW": law, **_unless(self, **usual), **per}
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
-    def _law(self) -> tuple[str, list[list[float]]]:
+    def _law(self) -> tuple[str, Sequence[Sequence[float | None]]]:
         raise NotImplementedError
 
 
@@ -179,12 +179,13 @@ class PlasticSpot(_Spot):
 
 @dataclass(frozen=True)
 class FilmSpot(_Spot):
-    """Spot of Hertz with a film in series.
+    """Spot of Hertz with a film in series: an oxide, or a coating.
 
     Attributes
     ----------
     film_resistivity : float
-        Film resistance times area [ohm m^2].
+        Film resistance times area, of both faces together [ohm m^2]. Of a coating of tin, nickel or silver it is its
+        resistivity times its thickness; 2 micrometres of nickel on each wire have `2 * 7e-8 * 2e-6`.
     """
 
     film_resistivity: float
@@ -199,23 +200,36 @@ class SharvinSpot(_Spot):
 
     Attributes
     ----------
-    resistivity_path : float
+    resistivity_path : float, optional
         Resistivity times mean free path [ohm m^2], a constant of the metal: 8.46e-16 of silver, 6.7e-16 of copper.
     film_resistivity : float, optional
-        Film resistance times area [ohm m^2].
+        Film resistance times area, of both faces together [ohm m^2]; of a coating its resistivity times its thickness.
+    mean_free_path : float, optional
+        Mean free path of the electrons [m] in place of `resistivity_path`, in both wires and at their resistivity, which
+        must not depend on the temperature.
     """
 
-    resistivity_path: float
+    resistivity_path: float | None = None
     film_resistivity: float | None = None
+    mean_free_path: float | None = None
 
-    def _law(self) -> tuple[str, list[list[float]]]:
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        if (self.resistivity_path is None) == (self.mean_free_path is None):
+            raise ValueError("SharvinSpot needs resistivity_path or mean_free_path, not both")
+        keyword, parameters, rows = super().card()
+        path = {} if self.mean_free_path is None else {"MEAN FREE PATH": self.mean_free_path}
+        return keyword, {**parameters, **path}, rows
+
+    def _law(self) -> tuple[str, Sequence[Sequence[float | None]]]:
         film = [] if self.film_resistivity is None else [self.film_resistivity]
-        return "SHARVIN", [[self.resistivity_path, *film]]
+        row = [self.resistivity_path, *film]
+        return "SHARVIN", [row] if any(value is not None for value in row) else []
 
 
 @dataclass(frozen=True)
 class ClusterSpot(_Spot):
-    """Many plastic spots within the ellipse of Hertz.
+    """Many plastic spots within the ellipse of Hertz, and a film if there is one.
 
     Attributes
     ----------
@@ -223,13 +237,18 @@ class ClusterSpot(_Spot):
         Hardness [Pa]: force over the area of all spots.
     spots : float
         Their number, 1 or more.
+    film_resistivity : float, optional
+        Film resistance times area, of both faces together [ohm m^2], on the area of the spots; of a coating its
+        resistivity times its thickness.
     """
 
     hardness: float
     spots: float
+    film_resistivity: float | None = None
 
     def _law(self) -> tuple[str, list[list[float]]]:
-        return "CLUSTER", [[self.hardness, self.spots]]
+        film = [] if self.film_resistivity is None else [self.film_resistivity]
+        return "CLUSTER", [[self.hardness, self.spots, *film]]
 
 
 @dataclass(frozen=True)
