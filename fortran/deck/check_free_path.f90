@@ -29,8 +29,8 @@ contains
          if (law%spot%free_path_number == 0 .or. .not. allocated(material%resistivity)) return
          ok = .not. law%spot%data(law%spot%free_path_number) > 0 .or. size(material%resistivity, 2) == 1
          if (.not. ok) call fail_at(self, token, 'element '//to_text(model%element_id(element))//' can touch others'// &
-            ' here, and its material '//material%name//' has a conductivity over temperature, with which the MEAN FREE'// &
-            ' PATH of surface interaction '//law%name//' would change: give rho_l, which does not')
+            ' here, and its material '//material%name//' has a conductivity over temperature, with which the MEAN'// &
+            ' FREE PATH of surface interaction '//law%name//' would change: give rho_l, which does not')
       end associate
    end subroutine check_free_path
 

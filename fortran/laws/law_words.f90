@@ -9,8 +9,8 @@ module litz_law_words
    integer, parameter :: max_fields = 4
 
    !> Of the number sigma_f of all laws of spots that have one
-   character(len=*), parameter :: film_meaning = 'film resistance times area, of both faces together; of a coating its'// &
-      ' resistivity times its thickness'
+   character(len=*), parameter :: film_meaning = 'film resistance times area, of both faces together; of a coating'// &
+      ' its resistivity times its thickness'
 
    !> A number of the data, always positive where it is given.
    type :: law_field_t

@@ -26,8 +26,8 @@ contains
       law%fields(1) = law_field_t('rho_l', 'ohm m^2', 'resistivity times mean free path of the electrons, a'// &
          ' constant of the metal (of both wires); blank with MEAN FREE PATH', has_substitute=.true.)
       law%fields(2) = law_field_t('sigma_f', 'ohm m^2', film_meaning, is_optional=.true.)
-      law%fields(3) = law_field_t('MEAN FREE PATH', 'm', 'of SHARVIN, in place of rho_l: mean free path of the electrons'// &
-         ' in both wires [m], whose resistivity does not depend on the temperature', is_optional=.true., &
+      law%fields(3) = law_field_t('MEAN FREE PATH', 'm', 'of SHARVIN, in place of rho_l: mean free path of the'// &
+         ' electrons in both wires [m], whose resistivity does not depend on the temperature', is_optional=.true., &
          is_parameter=.true.)
       law%spot_of_force => sharvin_spot
    end function spot_sharvin

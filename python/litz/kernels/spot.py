@@ -102,8 +102,8 @@ def contact_spot(
         For "table": forces [N], ascending, and resistances [ohm]. Interpolated smoothly and monotonically in
         logarithms; beyond its ends the power law of the end slope continues; a single pair is a constant.
     yield_stress : float or array_like, shape (2,), optional
-        For "hertz", "film" and "sharvin": yield stress of each wire [Pa], see `normal_law`. The spot grows as the metal yields, and
-        shrinks along another path when the force falls. Without it the wires stay elastic.
+        For "hertz", "film" and "sharvin": yield stress of each wire [Pa], see `normal_law`. The spot grows as the metal
+        yields, and shrinks along another path when the force falls. Without it the wires stay elastic.
     largest_force : float
         With `yield_stress`: largest force that the contact has had [N].
     mean_free_path : float or array_like, shape (2,)
