@@ -234,9 +234,9 @@ contains
       end associate
    end function whole_spot
 
-   !> The spot of crossed wires in a lens whose section counts. With its force, the lens of elastic wires conducts more or
-   !> less than the ellipse at the same overlap: clean metal as it gives way, under a film as the ellipse of its force.
-   !> The spot does so in proportion.
+   !> The spot of crossed wires in a lens whose section counts. The lens of elastic wires conducts more or less than the
+   !> ellipse at the same overlap: clean metal as it gives way, under a film as the ellipse of its force. The spot does
+   !> so in proportion.
    pure type(contact_spot_t) function round_spot(law, pair, lens, overlap, state) result(spot)
       type(interaction_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair

@@ -414,7 +414,8 @@ contains
       end do
    end subroutine read_contact_pairs
 
-   !> Not the same pair twice, a radius for every element, and no properties over temperature where laws cannot have them.
+   !> Not the same pair twice, a radius for every element, and no properties over temperature where laws cannot have
+   !> them.
    subroutine check_pair(self, model, pair)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
