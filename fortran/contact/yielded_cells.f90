@@ -6,16 +6,16 @@ module litz_yielded_cells
    use litz_contact_blocks, only: spot_in_circuit_t
    use litz_contact_points, only: contact_point_t
    use litz_law_input, only: wire_pair_t
-   use litz_lens_law, only: gauss_weight, n_depths
+   use litz_lens_law, only: gauss_weight, lens_spot, lens_spot_t, n_depths
    use litz_line_cell, only: cell_samples_t, cell_samples, cell_integral, line_cell_t, n_of_cell, n_samples
    use litz_line_kinematics, only: line_course_t
    use litz_line_law, only: line_spot_t
    use litz_model, only: interaction_t
    use litz_normal_forces, only: weight_of_lens
    use litz_spot_law, only: contact_spot_t
-   use litz_spot_resistance, only: spot_metal_t, set_conductance
+   use litz_spot_resistance, only: metal_of_law, set_conductance
    use litz_spots_of_places, only: number_of
-   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, hertz_force
    use litz_yielding_line, only: line_dent_t, line_dent, line_state_t, line_state_at_overlap, yielded_strip
    use litz_yielding_place, only: yielding_place_t
    use litz_yielding_spot, only: yielding_state_t
@@ -172,13 +172,9 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(yielding_state_t), intent(in) :: state
       type(contact_spot_t), intent(out) :: spot
-      type(spot_metal_t) :: metal
 
-      metal%resistivity = pair%resistivity
-      metal%film = number_of(law%spot, law%spot%film_number)
-      metal%resistivity_path = 0
-      if (law%spot%path_number > 0) metal%resistivity_path = law%spot%data(law%spot%path_number)
-      call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
+      call set_conductance(metal_of_law(law%spot, pair%resistivity), state%disc, state%ddisc(:2), state%area, &
+         state%darea(:2), spot)
    end subroutine spot_of_state
 
    !> What a crossing whose section counts conducts: its spot and the strip along its lens.
@@ -231,11 +227,40 @@ contains
       end do
       spot%semi_major = state%elastic%half_length
       if (.not. (lens%strip_share < 1 .and. state%spot%force > 0)) return
-      call spot_of_state(law, pair, state%spot, round)
+      round = round_spot(law, pair, lens, overlap, state)
       associate (share => 1 - lens%strip_share)
          spot%conductance = spot%conductance + share*round%conductance
          spot%dconductance_dresistivity = spot%dconductance_dresistivity + share*round%dconductance_dresistivity
       end associate
    end function whole_spot
+
+   !> The spot of crossed wires in a lens whose section counts. The lens of elastic wires conducts more or less than the
+   !> ellipse at the same overlap: clean metal as it gives way, under a film as the ellipse of its force. The spot does
+   !> so in proportion.
+   pure type(contact_spot_t) function round_spot(law, pair, lens, overlap, state) result(spot)
+      type(interaction_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(yielding_lens_t), intent(in) :: lens
+      !> Of the deepest place [m]
+      real(dp), intent(in) :: overlap
+      type(lens_state_t), intent(in) :: state
+      type(yielding_state_t) :: round
+      type(lens_spot_t) :: elastic
+      real(dp) :: hertz, part
+
+      hertz = hertz_force(lens, overlap)
+      if (law%spot%film_number == 0) then
+         elastic = lens_spot(lens%strip%line, state%elastic, 0.0_dp, 0.0_dp)
+         part = state%spot%disc/(3*hertz/(4*lens%spot%modulus*overlap))
+         spot%conductance = part*elastic%conductance
+         spot%dconductance_dresistivity = part*elastic%dconductance_dresistivity
+      else
+         part = (state%elastic%force/hertz)**(1.0_dp/3)
+         round = state%spot
+         round%disc = part*round%disc
+         round%area = part**2*round%area
+         call spot_of_state(law, pair, round, spot)
+      end if
+   end function round_spot
 
 end module litz_yielded_cells

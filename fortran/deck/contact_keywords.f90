@@ -79,6 +79,7 @@ contains
       call k%add(choice('PER', 'SPOT|LENGTH', &
          'LENGTH: the resistance of CONSTANT and TABLE is per length [ohm m], the force of TABLE per length [N/m],'// &
          ' of wires that touch along lines and on rigid surfaces (litz extension)', default='SPOT'))
+      call add_law_parameters(k, all_spot_laws())
       call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
 
@@ -187,6 +188,21 @@ contains
       end do
    end function meanings_of
 
+   !> The numbers that are parameters of the card.
+   pure subroutine add_law_parameters(k, laws)
+      type(keyword_t), intent(inout) :: k
+      type(law_words_t), intent(in) :: laws(:)
+      integer :: i, j
+
+      do i = 1, size(laws)
+         do j = laws(i)%n_fields() + 1, laws(i)%n_numbers()
+            associate (field => laws(i)%fields(j))
+               call k%add(number(trim(field%name), trim(field%meaning)//' (litz extension)', limit_positive))
+            end associate
+         end do
+      end do
+   end subroutine add_law_parameters
+
    !> The data lines of each law that has some.
    pure subroutine add_law_data(k, parameter, laws)
       type(keyword_t), intent(inout) :: k
@@ -202,10 +218,12 @@ contains
          do j = 1, size(fields)
             associate (field => laws(i)%fields(j))
                fields(j) = real_field(trim(field%name), trim(field%unit), trim(field%meaning), &
-                  merge(limit_one, limit_positive, field%is_count), required=.not. field%is_optional)
+                  merge(limit_one, limit_positive, field%is_count), required=.not. (field%is_optional .or. &
+                  field%has_substitute))
             end associate
          end do
-         call k%add_data(fields, when=parameter//'='//trim(laws(i)%name), last=merge(0, 1, laws(i)%has_table))
+         call k%add_data(fields, when=parameter//'='//trim(laws(i)%name), last=merge(0, 1, laws(i)%has_table), &
+            required=.not. any(laws(i)%fields%has_substitute))
          deallocate (fields)
       end do
    end subroutine add_law_data

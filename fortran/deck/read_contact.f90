@@ -4,6 +4,7 @@ module litz_read_contact
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_axis_choices, only: axis_linear
+   use litz_check_free_path, only: check_free_path
    use litz_check_yielding, only: check_elasticity
    use litz_heat_law, only: heat_law, heat_metal_law
    use litz_law_words, only: law_words_t
@@ -13,6 +14,7 @@ module litz_read_contact
    use litz_normal_yielding, only: normal_yielding
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, real_parameter, has_flag, keyword_of, &
       n_cards_of, deck_gives
+   use litz_spot_law, only: spot_law_t
    use litz_spot_laws, only: spot_law
    use litz_stick_laws, only: stick_laws, stick_mindlin
    use litz_data_lines, only: read_line, describe_form
@@ -93,7 +95,8 @@ contains
       integer, intent(in) :: card
       type(interaction_t), intent(in) :: interaction
 
-      if (.not. interaction%normal%yields()) return
+      ! a law that decks do not have has been reported
+      if (.not. interaction%normal%yields() .or. .not. interaction%spot%exists()) return
       if (interaction%spot%is_of_mechanics .or. interaction%spot%can_be_per_length) return
       call fail_at(self, parameter_of(self, card, 'LAW'), 'LAW='//trim(interaction%spot%name)// &
          ' makes a spot of its own; with YIELD spots follow the force of wires that yield: LAW=HERTZ, LAW=FILM or'// &
@@ -107,7 +110,7 @@ contains
       integer, intent(in) :: card
       type(interaction_t), intent(in) :: interaction
 
-      if (.not. interaction%supertemperature) return
+      if (.not. interaction%supertemperature .or. .not. interaction%spot%exists()) return
       if (interaction%spot%can_be_per_length) call fail_at(self, parameter_of(self, card, 'SUPERTEMPERATURE'), &
          'LAW='//trim(interaction%spot%name)//' gives the resistance, whatever the temperatures in the spot:'// &
          ' SUPERTEMPERATURE is for the laws that know its size')
@@ -210,7 +213,32 @@ contains
          interaction%spot%is_per_length = .false.
       end if
       call read_law_data(self, card, interaction%spot)
+      call read_free_path(self, card, interaction%spot)
    end subroutine read_spot_law
+
+   !> The mean free path of the electrons, or its product with the resistivity.
+   subroutine read_free_path(self, card, law)
+      type(reader_t), intent(inout) :: self
+      !> Index of the card
+      integer, intent(in) :: card
+      type(spot_law_t), intent(inout) :: law
+      type(token_t) :: token
+
+      token = parameter_of(self, card, 'MEAN FREE PATH')
+      associate (is_given => token%last >= token%first)
+         if (law%free_path_number == 0) then
+            if (is_given .and. law%exists()) call fail_at(self, token, 'MEAN FREE PATH is for LAW=SHARVIN, which is'// &
+               ' that of HERTZ or FILM for spots that are not large against it; LAW='//trim(law%name)//' has none')
+            return
+         end if
+         law%data(law%free_path_number) = real_parameter(self, card, 'MEAN FREE PATH', 0.0_dp)
+         if (is_given .and. law%data(law%path_number) > 0) call fail_at(self, token, 'LAW='//trim(law%name)// &
+            ' takes MEAN FREE PATH or rho_l, its product with the resistivity, not both: leave rho_l blank')
+         if (.not. is_given .and. .not. law%data(law%path_number) > 0) call fail_at(self, &
+            self%deck%cards(card)%name, 'LAW='//trim(law%name)//' needs MEAN FREE PATH or, on its data line, rho_l,'// &
+            ' the product of resistivity and mean free path')
+      end associate
+   end subroutine read_free_path
 
    subroutine read_heat_law(self, card, interaction)
       type(reader_t), intent(inout) :: self
@@ -386,7 +414,8 @@ contains
       end do
    end subroutine read_contact_pairs
 
-   !> Not the same pair twice, a radius for every element, and no elasticity over temperature where metal yields.
+   !> Not the same pair twice, a radius for every element, and no properties over temperature where laws cannot have
+   !> them.
    subroutine check_pair(self, model, pair)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
@@ -409,6 +438,8 @@ contains
             do i = 1, size(members)
                if (model%element_section(members(i)) == 0) cycle
                call check_elasticity(self, model, pair%interaction, members(i), self%values%token(k), ok)
+               if (.not. ok) exit
+               call check_free_path(self, model, pair%interaction, members(i), self%values%token(k), ok)
                if (.not. ok) exit
                associate (section => model%sections(model%element_section(members(i))))
                   if (section%contact_radius > 0 .or. .not. section%area > 0) cycle

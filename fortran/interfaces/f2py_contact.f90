@@ -34,8 +34,8 @@ contains
       needed = 0
       do i = 1, size(laws)
          names(i) = laws(i)%name
-         values(:, i) = laws(i)%fields%name
-         needed(i) = laws(i)%n_fields() - count(laws(i)%fields%is_optional)
+         where (.not. laws(i)%fields%is_parameter) values(:, i) = laws(i)%fields%name
+         needed(i) = laws(i)%n_needed()
       end do
    end subroutine names_of
 

@@ -157,7 +157,7 @@ contains
       else if (spot%has_table) then
          words = check_table(properties(n_properties + 1:))
       else
-         associate (needed => spot%n_fields() - count(spot%fields%is_optional))
+         associate (needed => spot%n_needed())
             if (size(properties) < n_properties - 1 + needed) then
                words = 'properties 10, ..., the numbers of the spot law '//trim(spot%name)//', are missing'
             else if (.not. all(is_positive(properties(10:9 + needed)))) then

@@ -4,7 +4,7 @@
 module litz_dent_spot
    use litz_kinds, only: dp, pi
    use litz_spot_law, only: contact_spot_t, spot_law_t
-   use litz_spot_resistance, only: spot_metal_t, set_conductance
+   use litz_spot_resistance, only: spot_metal_t, metal_of_law, set_conductance
    use litz_yielding_spot, only: yielding_t, dent_t, yielding_state_t, state_at_force
    implicit none
    private
@@ -41,16 +41,13 @@ contains
       type(yielding_state_t), intent(in) :: state
       !> b/a of the ellipse
       real(dp), intent(in) :: ratio
-      type(spot_metal_t) :: metal
 
       if (.not. state%area > 0) return
-      metal%resistivity = resistivity
-      if (law%film_number > 0) metal%film = law%data(law%film_number)
-      if (law%path_number > 0) metal%resistivity_path = law%data(law%path_number)
       spot%semi_major = sqrt(state%area/(pi*ratio))
       spot%semi_minor = ratio*spot%semi_major
       spot%approach = state%overlap
-      call set_conductance(metal, state%disc, state%ddisc(:2), state%area, state%darea(:2), spot)
+      call set_conductance(metal_of_law(law, resistivity), state%disc, state%ddisc(:2), state%area, state%darea(:2), &
+         spot)
    end function spot_of_state
 
 end module litz_dent_spot

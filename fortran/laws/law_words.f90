@@ -3,10 +3,14 @@ module litz_law_words
    use litz_kinds, only: dp
    implicit none
    private
-   public :: law_words_t, law_field_t, max_fields
+   public :: law_words_t, law_field_t, max_fields, film_meaning
 
    !> Most numbers on a data line of a law
    integer, parameter :: max_fields = 4
+
+   !> Of the number sigma_f of all laws of spots that have one
+   character(len=*), parameter :: film_meaning = 'film resistance times area, of both faces together; of a coating'// &
+      ' its resistivity times its thickness'
 
    !> A number of the data, always positive where it is given.
    type :: law_field_t
@@ -17,6 +21,10 @@ module litz_law_words
       logical :: is_optional = .false.
       !> It is 1 or more
       logical :: is_count = .false.
+      !> It is no number of the data line, but a parameter of the card; these come last
+      logical :: is_parameter = .false.
+      !> A parameter may stand in its place
+      logical :: has_substitute = .false.
    end type law_field_t
 
    type :: law_words_t
@@ -26,7 +34,7 @@ module litz_law_words
       character(len=16) :: name = ''
       !> The end of `NAME: ...` in the deck reference
       character(len=100) :: meaning = ''
-      !> The numbers on a data line; those without a name are not used
+      !> The numbers on a data line and those of parameters; those without a name are not used
       type(law_field_t) :: fields(max_fields)
       !> Its data are a table: any number of lines, their first numbers ascending
       logical :: has_table = .false.
@@ -39,6 +47,8 @@ module litz_law_words
       real(dp), allocatable :: table(:, :)
    contains
       procedure :: n_fields
+      procedure :: n_numbers
+      procedure :: n_needed
       procedure :: exists
       procedure :: take
    end type law_words_t
@@ -49,8 +59,22 @@ contains
    pure integer function n_fields(self)
       class(law_words_t), intent(in) :: self
 
-      n_fields = count(len_trim(self%fields%name) > 0)
+      n_fields = count(len_trim(self%fields%name) > 0 .and. .not. self%fields%is_parameter)
    end function n_fields
+
+   !> These, and those of parameters.
+   pure integer function n_numbers(self)
+      class(law_words_t), intent(in) :: self
+
+      n_numbers = count(len_trim(self%fields%name) > 0)
+   end function n_numbers
+
+   !> Those on a data line that must be given there where no parameter stands in their place; the others follow them.
+   pure integer function n_needed(self)
+      class(law_words_t), intent(in) :: self
+
+      n_needed = self%n_fields() - count(self%fields%is_optional .and. .not. self%fields%is_parameter)
+   end function n_needed
 
    !> .false. beyond the last law of a family.
    pure logical function exists(self)

@@ -4,7 +4,7 @@
 module litz_spot_film
    use litz_kinds, only: dp, pi
    use litz_law_input, only: law_input_t
-   use litz_law_words, only: law_field_t
+   use litz_law_words, only: law_field_t, film_meaning
    use litz_spot_hertz, only: hertz_spot
    use litz_spot_law, only: spot_law_t, contact_spot_t, spot_ok, add_in_series
    implicit none
@@ -17,13 +17,13 @@ contains
       type(spot_law_t) :: law
 
       law%name = 'FILM'
-      law%meaning = 'HERTZ with a film in series'
+      law%meaning = 'HERTZ with a film in series, such as an oxide, or a coating of tin, nickel or silver'
       law%uses_ellipse = .true.
       law%is_elastic = .true.
       law%is_of_mechanics = .true.
       law%serves_lines = .true.
       law%film_number = 1
-      law%fields(1) = law_field_t('sigma_f', 'ohm m^2', 'film resistance times area')
+      law%fields(1) = law_field_t('sigma_f', 'ohm m^2', film_meaning)
       law%spot_of_force => film_spot
    end function spot_film
 

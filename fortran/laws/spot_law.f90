@@ -52,8 +52,9 @@ module litz_spot_law
       !> times area and the hardness there; 0: it has none
       logical :: serves_lines = .false.
       integer :: film_number = 0, hardness_number = 0
-      !> Which of its numbers is rho l, resistivity times mean free path; 0: it has none
-      integer :: path_number = 0
+      !> Which of its numbers are rho l, resistivity times mean free path, and the mean free path itself, one of which
+      !> is given; 0: it has none
+      integer :: path_number = 0, free_path_number = 0
       !> Its resistance can be meant per length [ohm m], over a force per length, of wires that touch along a line; and
       !> it is
       logical :: can_be_per_length = .false., is_per_length = .false.

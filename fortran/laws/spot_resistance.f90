@@ -7,10 +7,10 @@
 module litz_spot_resistance
    use litz_kinds, only: dp, pi
    use litz_hertz, only: hertz_ellipse_t
-   use litz_spot_law, only: contact_spot_t
+   use litz_spot_law, only: contact_spot_t, spot_law_t
    implicit none
    private
-   public :: spot_metal_t, elastic_spot, set_conductance
+   public :: spot_metal_t, metal_of_law, elastic_spot, set_conductance
 
    !> `gamma(k) = (1 + above k)/(1 + below k)`: within 0.2 % of the solution of the Boltzmann equation
    real(dp), parameter :: above = 0.9_dp, below = 1.25_dp
@@ -21,9 +21,23 @@ module litz_spot_resistance
       real(dp) :: resistivity(2) = 0, resistivity_path(2) = 0
       !> sigma_f, film resistance times area [ohm m^2]; 0: none
       real(dp) :: film = 0
+      !> l of both wires at the resistivities above, in place of rho l [m]; 0: not given
+      real(dp) :: free_path = 0
    end type spot_metal_t
 
 contains
+
+   !> What conducts between wires of a spot of the mechanics.
+   pure type(spot_metal_t) function metal_of_law(law, resistivity) result(metal)
+      type(spot_law_t), intent(in) :: law
+      !> Barred, unbarred (2) [ohm m]
+      real(dp), intent(in) :: resistivity(2)
+
+      metal%resistivity = resistivity
+      if (law%film_number > 0) metal%film = law%data(law%film_number)
+      if (law%path_number > 0) metal%resistivity_path = law%data(law%path_number)
+      if (law%free_path_number > 0) metal%free_path = law%data(law%free_path_number)
+   end function metal_of_law
 
    !> The spot of Hertz under a positive force.
    pure type(contact_spot_t) function elastic_spot(ellipse, force, metal) result(spot)
@@ -52,17 +66,18 @@ contains
       real(dp), intent(in) :: area, darea(2)
       type(contact_spot_t), intent(inout) :: spot
       real(dp) :: constriction, dconstriction_ddisc, across, dresistance(2)
-      real(dp), dimension(2) :: upper, lower
+      real(dp), dimension(2) :: path, upper, lower
 
-      associate (rho => metal%resistivity, path => metal%resistivity_path)
+      path = metal%resistivity_path + metal%resistivity*metal%free_path
+      associate (rho => metal%resistivity)
          upper = rho*disc + above*path
          lower = rho*disc + below*path
          constriction = sum(rho*upper/lower)/(4*disc)
          dconstriction_ddisc = sum((rho/lower)**2*(below - above)*path)/(4*disc) - constriction/disc
          across = 2*sum(path)/3 + metal%film
          spot%conductance = 1/(constriction + across/area)
-         spot%dconductance_dresistivity = -spot%conductance**2*(rho*disc/lower*(1 - upper/lower) &
-            + upper/lower)/(4*disc)
+         spot%dconductance_dresistivity = -spot%conductance**2*((rho*disc/lower*(1 - upper/lower) &
+            + upper/lower)/(4*disc) + metal%free_path*(rho/(4*disc*lower)*(above - below*upper/lower) + 2/(3*area)))
       end associate
       dresistance = dconstriction_ddisc*ddisc - across/area**2*darea
       spot%dconductance_dforce = -spot%conductance**2*dresistance(1)

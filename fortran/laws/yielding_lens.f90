@@ -17,7 +17,7 @@ module litz_yielding_lens
    implicit none
    private
    public :: yielding_lens_t, lens_state_t, with_dent, state_of_lens, overlap_of_yielding_lens, &
-      pressure_of_lens, lens_at_force
+      pressure_of_lens, lens_at_force, hertz_force
 
    !> The overlap at a force is known to this part of it
    real(dp), parameter :: tolerance = 1.0e-11_dp

@@ -322,7 +322,7 @@ contains
          call record%value(what, trim(law%name))
          if (allocated(law%table)) call record%list('table of the '//what, law%table)
          if (law%has_table) return
-         do i = 1, law%n_fields()
+         do i = 1, law%n_numbers()
             call record%value(trim(law%fields(i)%name)//' of the '//what, law%data(i))
          end do
       end subroutine record_law

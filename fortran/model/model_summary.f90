@@ -295,9 +295,10 @@ contains
          if (per_length) words = words//' per length'
          return
       end if
-      do i = 1, law%n_fields()
+      do i = 1, law%n_numbers()
+         if (.not. law%data(i) > 0) cycle
          associate (field => law%fields(i))
-            words = words//trim(merge(' with', ' and ', i == 1))//' '
+            words = words//trim(merge(' with', ' and ', len(words) == 0))//' '
             unit = trim(field%unit)
             ! a resistance times length, and a heat conductance per length
             if (per_length .and. unit == 'ohm') unit = 'ohm m'

@@ -1,6 +1,6 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
-   use litz_fields, only: field_rotation, first_slot, last_slot, motion_slots
+   use litz_fields, only: field_displacement, field_rotation, first_slot, last_slot, motion_slots
    use litz_kinds, only: dp
    use litz_problem, only: problem_t
    use litz_rotations, only: nearest_rotation_vector
@@ -42,6 +42,10 @@ contains
          state%surface_heat = 0
          state%line_load = 0
          loading%converged_value = loading%value
+         associate (x => first_slot(field_displacement), z => last_slot(field_displacement))
+            loading%largest_motion = max(loading%largest_motion, maxval(abs(loading%value(x:z, :)), &
+               mask=loading%prescribed(x:z, :)))
+         end associate
          loading%converged_ramp = loading%ramp
          loading%converged_time = loading%time
          state%surface_radius = loading%surface_radius

@@ -237,7 +237,8 @@ contains
                if (any(abs(step%element_loads(i)%value) > 0)) load = max(load, scales%reference(field))
             end do
             moved = maxval(abs(loading%value(first:last, :)), mask=loading%prescribed(first:last, :))
-            if (moved > lost_motion*epsilon(1.0_dp)*maxval(abs(problem%model%x))) moved = 0
+            ! a value that passes zero, or has come back to it, is round-off of its way there
+            if (loading%largest_motion > lost_motion*epsilon(1.0_dp)*maxval(abs(problem%model%x))) moved = 0
          end if
          if (load > vanishing) then
             what = 'loads of at most '//to_text(load)//units%after(trim(named%flux_unit))

@@ -35,6 +35,8 @@ module litz_loading
       real(dp), allocatable :: value(:, :), load(:, :)
       !> Values at the last converged increment (n_slots, n_nodes)
       real(dp), allocatable :: converged_value(:, :)
+      !> Largest displacement that has been prescribed at a converged increment so far [m]
+      real(dp) :: largest_motion = 0
       !> The part of what ramps over the step that is reached, at the time last asked for and at the last converged
       !> increment
       real(dp) :: ramp = 0, converged_ramp = 0

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from verification.references import hertz
 
-from line_wires import COPPER, linear, pressed, spot
+from line_wires import COPPER, HERTZ, linear, lowered, pressed, spot
 from litz.reports.report_tables import worst_contacts
 from litz.results.contact_pressures import onsets
 
+YIELDING = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ, YIELD=50e6\n"
 NO_FIELD = "*BOUNDARY\n LOWER, 9, 9, 0.\n UPPER, 9, 9, 0.\n"
 MODULUS = float(hertz.effective_modulus((COPPER.young,) * 2, (COPPER.poisson,) * 2))
 
@@ -59,11 +60,31 @@ def test_summary_and_report_have_it_beside_what_metals_bear(run):
     _, results = run("*UNITS, SYSTEM=SI\n" + pressed(1e-6, degrees=45, cards=(NO_FIELD,)))
     pressure = results.contacts_at(-1)["pressure"][0]
     text = " ".join(results.summary().split())
-    assert f"largest pressure {pressure:.5g} Pa in contact 1, if the wires stay elastic" in text
+    assert f"largest pressure {pressure:.5g} Pa in contact 1 at time 1 s (step 1, increment 1), if the wires" in text
     assert "soft to hard metal yields from (MPa): aluminium 50 to 210, copper 80 to 500" in text
     page = worst_contacts(results)
     assert "<th>pressure</th>" in page
     assert "copper 80 to 500" in page
+    assert f"Largest pressure {pressure:.5g} Pa in contact 1 at time 1 s" in page
+
+
+@pytest.mark.parametrize(("law", "whose"), [(HERTZ, "if the wires stay elastic"), (YIELDING, "of wires that yield")])
+def test_the_largest_pressure_is_that_of_the_whole_run(run, law, whose):
+    # pressed in two increments, relieved in a third, apart in the last step
+    half_way = lowered(0.5e-6, static="1., 1.")
+    deck = pressed(1e-6, degrees=45, law=law, static="0.5, 1.", cards=(NO_FIELD,)) + half_way + lowered(-1e-6)
+    _, results = run("*UNITS, SYSTEM=SI\n" + deck)
+    pressure = results.contacts["pressure"]
+    assert pressure.argmax() == 1
+    assert results.contacts_at(-1).n_rows == 0
+    expected = f"{pressure.max():.5g} Pa in contact 1 at time 1 s (step 1, increment 2), {whose}"
+    assert f"over all increments: largest pressure {expected}" in " ".join(results.summary().split())
+    assert f"Largest pressure {expected}" in worst_contacts(results)
+
+
+def test_the_report_has_the_largest_pressure_of_wires_that_touch_along_lines(run):
+    _, results = run("*UNITS, SYSTEM=SI\n" + pressed(1e-6, cards=(NO_FIELD,)))
+    assert f"Largest pressure {results.contacts['pressure'].max():.5g} Pa" in worst_contacts(results)
 
 
 def test_the_pressures_at_the_onset_are_those_of_jackson_and_green():

@@ -458,6 +458,21 @@ def test_a_spot_of_other_mechanics_is_refused(run, spot):
     assert "follow the force of wires that yield" in process.stderr
 
 
+@pytest.mark.parametrize("law", ["CMY", "ELASTIC ROUGH", "HERZ"])
+def test_a_law_that_decks_do_not_have_is_one_error(run, law):
+    process, _ = run(held(to(1e-6), spot=f"*GAP ELECTRICAL CONDUCTANCE, LAW={law}, SUPERTEMPERATURE=YES"))
+    assert process.returncode == 1
+    assert process.stderr.count("error:") == 1, process.stderr
+    assert law in process.stderr
+
+
+def test_a_displacement_that_passes_zero_is_not_lost_in_round_off(run):
+    """At the middle of the second step it is 2e-22 m, and the wires are apart; at its end they have come to rest."""
+    process, results = run(held(to(2e-6), to(-2e-6), to(0.0, increments=3)))
+    assert process.returncode == 0, process.stderr
+    assert [entry.kind for entry in results.warnings] == []
+
+
 def test_a_contact_closes_again_in_its_dent_without_cut_backs(run, inputs):
     """Pressed, released, pressed again, little by little: where its force ends in the dent, the line of the loading on which
     it closes first leaves the dent to no force."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import litz
-from line_wires import COPPER, along, two_wires
+from line_wires import COPPER, HERTZ, along, two_wires
 from line_wires import LED as GUIDED
 from strips import force_of_strip
 
@@ -119,6 +119,22 @@ def test_places_along_a_short_lens_have_the_force_and_conductance_of_the_crossin
         if exact.force > 0:
             expected = 4 * exact.disc_radius / (2 * COPPER.resistivity)
             assert conductance == pytest.approx(expected, rel=conductance_within)
+
+
+@pytest.mark.parametrize("degrees", [17, 25])
+@pytest.mark.parametrize("spot", [CLEAN, "*GAP ELECTRICAL CONDUCTANCE, LAW=FILM\n 1e-12\n"])
+def test_a_lens_that_never_yields_conducts_as_an_elastic_one(run, spot, degrees):
+    """Half lengths of 0.27 to 1.2 radii, where a lens is round spot and strip at once, and places along it come in."""
+    overlaps = np.array([5, 10, 15, 20, 25, 30]) * 1e-6
+    elastic, strong = (
+        run(wires(*(to(z) for z in overlaps), degrees=degrees, law=behavior + spot), name=name)[1]
+        for name, behavior in (("elastic", HERTZ), ("strong", HERTZ.replace("\n", ", YIELD=1e13\n")))
+    )
+    for step in range(1, len(overlaps) + 1):
+        assert total(strong, step) == pytest.approx(total(elastic, step), rel=2e-3)
+    half_lengths = elastic.contacts["semi_major"][elastic.contacts["length"] == 0] / COPPER.radius
+    assert half_lengths.min() < 0.5
+    assert half_lengths.max() > 0.75
 
 
 @pytest.mark.slow

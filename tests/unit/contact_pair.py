@@ -15,6 +15,7 @@ SPOT_LAWS = [
     dict(spot_law="film", film_resistivity=0.02),
     dict(spot_law="sharvin", law_value=[0.3, 0.1]),
     dict(spot_law="cluster", law_value=[3.0, 5.0]),
+    dict(spot_law="cluster", law_value=[3.0, 5.0, 0.1]),
     dict(spot_law="constant", resistance=0.7),
     dict(spot_law="table"),
     dict(spot_law="none"),

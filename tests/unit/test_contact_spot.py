@@ -296,6 +296,40 @@ def test_sharvin_s_law_is_that_of_the_mean_free_path(film):
     assert found == pytest.approx(expected, rel=1e-12)
 
 
+@pytest.mark.parametrize("film", [[], [1e-13]])
+def test_sharvin_s_law_takes_yielding_wires_and_either_path(film):
+    wires = dict(radius=1e-3, young=120e9, poisson=0.34, resistivity=1.7e-8, angle=0.7)
+    path, yielding = 2e-6, dict(yield_stress=50e6, hardness=450e6, largest_force=0.5)
+    series = dict(law="film", film_resistivity=film[0]) if film else dict(law="hertz")
+    expected = contact_spot(0.3, mean_free_path=path, **series, **yielding, **wires)
+    product = contact_spot(0.3, law="sharvin", law_value=[1.7e-8 * path, *film], **yielding, **wires)
+    assert product == pytest.approx(expected, rel=1e-12)
+    film_of = dict(film_resistivity=film[0]) if film else {}
+    by_path = contact_spot(0.3, law="sharvin", mean_free_path=path, **film_of, **yielding, **wires)
+    assert by_path == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("given", [{}, dict(law_value=1e-15, mean_free_path=1e-7)])
+def test_sharvin_s_law_takes_the_path_or_its_product(given):
+    with pytest.raises(ValueError, match="takes law_value, with rho_l, or mean_free_path"):
+        contact_spot(0.3, angle=0.7, law="sharvin", **given, **UNEQUAL)
+
+
+def test_the_film_of_a_cluster_lies_on_the_area_of_its_spots():
+    clean = contact_spot(0.5, angle=0.7, law="cluster", law_value=[1e9, 20], **UNEQUAL)
+    coated = contact_spot(0.5, angle=0.7, law="cluster", law_value=[1e9, 20, 1e-12], **UNEQUAL)
+    # n spots of F/(n H)
+    assert 1 / coated.conductance - 1 / clean.conductance == pytest.approx(1e-12 * 1e9 / 0.5, rel=1e-11)
+    assert coated[:3] == clean[:3]
+    step = 1e-6
+    high, low = (
+        contact_spot(0.5 * factor, angle=0.7, law="cluster", law_value=[1e9, 20, 1e-12], **UNEQUAL).conductance
+        for factor in (1 + step, 1 - step)
+    )
+    # central difference: the third derivative leaves less than step^2, round-off 1e-10
+    assert coated.dconductance_dforce == pytest.approx((high - low) / step, rel=1e-8)
+
+
 def test_a_cluster_is_between_a_single_spot_and_the_whole_ellipse():
     one = contact_spot(0.5, angle=0.7, law="cluster", law_value=[1e9, 1], **UNEQUAL)
     single = contact_spot(0.5, angle=0.7, law="plastic", hardness=1e9, **UNEQUAL)

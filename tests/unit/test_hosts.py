@@ -156,6 +156,7 @@ class TestFeap:
             ("LAW=CONSTANT\n 0.5", [0.5]),
             ("LAW=SHARVIN\n 6.6e-16, 1.e-12", [6.6e-10, 1e-6]),
             ("LAW=CLUSTER\n 1.e9, 5.", [1e3, 5]),
+            ("LAW=CLUSTER\n 1.e9, 5., 1.e-12", [1e3, 5, 1e-6]),
         ],
     )
     def test_numbers_of_spot_laws_are_in_that_unit(self, tmp_path, law, expected):

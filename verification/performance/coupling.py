@@ -11,8 +11,7 @@ preparation and output does not count. Runs alternate, medians.
 from dataclasses import replace
 
 from litz import build
-from litz.model import GapConductance
-from litz.model.laws import HERTZ_AND_HOLM
+from litz.model import HERTZ_AND_HOLM, GapConductance
 from verification import figures
 
 from .process import OUTSIDE, median, run_litz

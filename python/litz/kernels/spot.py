@@ -84,11 +84,16 @@ def contact_spot(
         - "plastic": circle with ``F = pi a^2 hardness``;
         - "film": as "hertz", with ``film_resistivity/(pi a b)`` in series;
         - "constant": `resistance` under any positive force;
-        - "table": through the pairs of `table`.
+        - "table": through the pairs of `table`;
+        - "sharvin": as "hertz" or "film", with the resistance of spots that are not large against the mean free path of
+          the electrons: `mean_free_path`, or `law_value` with its product with the resistivity, the same in both
+          wires, and the film if there is one;
+        - "cluster": many plastic spots within the ellipse of "hertz": `law_value` with hardness, number, and the film
+          if there is one.
     hardness : float, optional
         For "plastic" [Pa]; with `yield_stress` for "hertz" and "film": see `normal_law`.
     film_resistivity : float, optional
-        For "film" [ohm m^2].
+        For "film" [ohm m^2], of both faces together; of a coating its resistivity times its thickness.
     resistance : float, optional
         For "constant" [ohm].
     law_value : float or array_like, optional
@@ -97,12 +102,12 @@ def contact_spot(
         For "table": forces [N], ascending, and resistances [ohm]. Interpolated smoothly and monotonically in
         logarithms; beyond its ends the power law of the end slope continues; a single pair is a constant.
     yield_stress : float or array_like, shape (2,), optional
-        For "hertz" and "film": yield stress of each wire [Pa], see `normal_law`. The spot grows as the metal yields, and
-        shrinks along another path when the force falls. Without it the wires stay elastic.
+        For "hertz", "film" and "sharvin": yield stress of each wire [Pa], see `normal_law`. The spot grows as the metal
+        yields, and shrinks along another path when the force falls. Without it the wires stay elastic.
     largest_force : float
         With `yield_stress`: largest force that the contact has had [N].
     mean_free_path : float or array_like, shape (2,)
-        For "hertz" and "film": mean free path of the electrons in each wire [m]. Spots that are not much larger have
+        For "hertz", "film" and "sharvin": mean free path of the electrons in each wire [m]. Spots that are not much larger have
         Sharvin's resistance besides a part of Holm's; 0: only Holm's.
 
     Returns
@@ -136,6 +141,10 @@ def contact_spot(
     >>> print(f"{1 / pressed.conductance:.4g} ohm, {1 / released.conductance:.4g} ohm")
     0.0002373 ohm, 0.000462 ohm
     """
+    if law == "sharvin":
+        law, film_resistivity, law_value, mean_free_path = _sharvin_numbers(
+            law_value, mean_free_path, film_resistivity, resistivity, yields=yield_stress is not None
+        )
     of = Batch()
     of.array("force", force)
     radii = take_properties(of, radius, young, poisson, resistivity)
@@ -174,6 +183,29 @@ def contact_spot(
     refuse(of, info, yield_pressure)
     refuse_wide(of, widest, radii)
     return ContactSpot(*of.results(values))
+
+
+def _sharvin_numbers(
+    law_value: Numbers | None,
+    mean_free_path: Numbers,
+    film_resistivity: Numbers | None,
+    resistivity: Numbers,
+    *,
+    yields: bool,
+) -> tuple[SpotLaw, Numbers | None, Numbers | None, Numbers]:
+    """Law, film, data and mean free paths that stand for "sharvin", whose path is given as such or times resistivity."""
+    has_path = bool(np.any(mean_free_path))
+    if (law_value is None) == (not has_path):
+        given = "both are given" if has_path else "neither is given"
+        raise ValueError(f'the spot law "sharvin" takes law_value, with rho_l, or mean_free_path: {given}')
+    if has_path:
+        return ("hertz" if film_resistivity is None else "film"), film_resistivity, None, mean_free_path
+    if not yields:
+        return "sharvin", film_resistivity, law_value, 0.0
+    fields, needed = SPOT_FIELDS["sharvin"], SPOT_NEEDED["sharvin"]
+    numbers = law_data('the spot law "sharvin"', "law_value", {"law_value": law_value}, fields, needed)
+    paths = numbers[..., :1] / checks.leading_pair("resistivity", resistivity)
+    return ("film", numbers[..., 1], None, paths) if numbers.shape[-1] > 1 else ("hertz", None, None, paths)
 
 
 def spot_law_data(

@@ -1,17 +1,15 @@
 """Models of wires: nodes, wires, materials, contacts, supports and steps, written as a deck and run."""
 
 from .curves import along_curve, along_polyline, along_spline, straight
+from .interactions import HERTZ_AND_HOLM, ContactPair, Interaction
 from .laws import (
-    HERTZ_AND_HOLM,
     ClusterSpot,
     ConstantSpot,
-    ContactPair,
     FilmSpot,
     Friction,
     GapConductance,
     Hertz,
     HertzSpot,
-    Interaction,
     Linear,
     NamedBehaviour,
     NamedSpot,

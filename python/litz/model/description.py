@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..base.quantities import engineering, with_unit
-from .laws import Interaction
+from .interactions import Interaction
 from .loaded_model import LoadedModel
 from .loading import Load, Prescribed, Target, direction_names, unit_of
 from .materials import Circular, Material

@@ -1,11 +1,10 @@
 """The laws of a contact: force over penetration, resistance of the spot, friction."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ..deck.keyword_table import check_card, check_name
+from ..deck.keyword_table import check_card
 from ..deck.lines import CardSpec
-from .materials import predefined
 
 
 class _Law:
@@ -141,7 +140,7 @@ class _Spot(_Law):
         parameters = {"LAW": law, **_unless(self, **usual), **per}
         return "GAP ELECTRICAL CONDUCTANCE", parameters, rows
 
-    def _law(self) -> tuple[str, list[list[float]]]:
+    def _law(self) -> tuple[str, Sequence[Sequence[float | None]]]:
         raise NotImplementedError
 
 
@@ -179,12 +178,13 @@ class PlasticSpot(_Spot):
 
 @dataclass(frozen=True)
 class FilmSpot(_Spot):
-    """Spot of Hertz with a film in series.
+    """Spot of Hertz with a film in series: an oxide, or a coating.
 
     Attributes
     ----------
     film_resistivity : float
-        Film resistance times area [ohm m^2].
+        Film resistance times area, of both faces together [ohm m^2]. Of a coating of tin, nickel or silver it is its
+        resistivity times its thickness; 2 micrometres of nickel on each wire have `2 * 7e-8 * 2e-6`.
     """
 
     film_resistivity: float
@@ -199,23 +199,36 @@ class SharvinSpot(_Spot):
 
     Attributes
     ----------
-    resistivity_path : float
+    resistivity_path : float, optional
         Resistivity times mean free path [ohm m^2], a constant of the metal: 8.46e-16 of silver, 6.7e-16 of copper.
     film_resistivity : float, optional
-        Film resistance times area [ohm m^2].
+        Film resistance times area, of both faces together [ohm m^2]; of a coating its resistivity times its thickness.
+    mean_free_path : float, optional
+        Mean free path of the electrons [m] in place of `resistivity_path`, in both wires and at their resistivity, which
+        must not depend on the temperature.
     """
 
-    resistivity_path: float
+    resistivity_path: float | None = None
     film_resistivity: float | None = None
+    mean_free_path: float | None = None
 
-    def _law(self) -> tuple[str, list[list[float]]]:
+    def card(self) -> CardSpec:
+        """The card of the law."""
+        if (self.resistivity_path is None) == (self.mean_free_path is None):
+            raise ValueError("SharvinSpot needs resistivity_path or mean_free_path, not both")
+        keyword, parameters, rows = super().card()
+        path = {} if self.mean_free_path is None else {"MEAN FREE PATH": self.mean_free_path}
+        return keyword, {**parameters, **path}, rows
+
+    def _law(self) -> tuple[str, Sequence[Sequence[float | None]]]:
         film = [] if self.film_resistivity is None else [self.film_resistivity]
-        return "SHARVIN", [[self.resistivity_path, *film]]
+        row = [self.resistivity_path, *film]
+        return "SHARVIN", [row] if any(value is not None for value in row) else []
 
 
 @dataclass(frozen=True)
 class ClusterSpot(_Spot):
-    """Many plastic spots within the ellipse of Hertz.
+    """Many plastic spots within the ellipse of Hertz, and a film if there is one.
 
     Attributes
     ----------
@@ -223,13 +236,18 @@ class ClusterSpot(_Spot):
         Hardness [Pa]: force over the area of all spots.
     spots : float
         Their number, 1 or more.
+    film_resistivity : float, optional
+        Film resistance times area, of both faces together [ohm m^2], on the area of the spots; of a coating its
+        resistivity times its thickness.
     """
 
     hardness: float
     spots: float
+    film_resistivity: float | None = None
 
     def _law(self) -> tuple[str, list[list[float]]]:
-        return "CLUSTER", [[self.hardness, self.spots]]
+        film = [] if self.film_resistivity is None else [self.film_resistivity]
+        return "CLUSTER", [[self.hardness, self.spots, *film]]
 
 
 @dataclass(frozen=True)
@@ -391,104 +409,6 @@ class Friction(_Law):
         """The card of the law."""
         parameters = {"ELASTIC SLIP": self.elastic_slip, "STICK STIFFNESS": self.stick_stiffness}
         return "FRICTION", {name: value for name, value in parameters.items() if value is not None}, [[self.mu]]
-
-
-@dataclass(frozen=True)
-class Interaction:
-    """The laws of a contact.
-
-    Attributes
-    ----------
-    name : str
-        Name in the deck.
-    behaviour : Hertz, Linear or NamedBehaviour
-        Contact force over penetration.
-    conductance : HertzSpot, PaperSpot, PlasticSpot, FilmSpot, SharvinSpot, ClusterSpot, ConstantSpot or TableSpot, optional
-        Resistance of the spot; None: no current crosses.
-    friction : Friction or float, optional
-        Friction, or its coefficient alone; None: the wires slide freely.
-    axis : {"HERMITE", "LINEAR"}
-        Interpolation of the axes that touch.
-    heat : GapConductance, optional
-        Heat through the contact; None: it passes where a current can.
-    """
-
-    name: str = "TOUCH"
-    behaviour: Hertz | Linear | NamedBehaviour = field(default_factory=Hertz)
-    conductance: _Spot | None = None
-    friction: Friction | float | None = None
-    axis: str = "HERMITE"
-    heat: GapConductance | None = None
-
-    def __post_init__(self) -> None:
-        """Checks the values."""
-        check_name(self.name, "the name of an interaction")
-        if not isinstance(self.behaviour, Hertz | Linear | NamedBehaviour):
-            raise ValueError(
-                f"behaviour must be Hertz(), Linear(penalty) or NamedBehaviour(law, data), not {self.behaviour!r}"
-            )
-        if not (self.conductance is None or isinstance(self.conductance, _Spot)):
-            raise ValueError(
-                "conductance must be None, HertzSpot(), PaperSpot(), PlasticSpot(hardness), FilmSpot(film_resistivity), "
-                "SharvinSpot(resistivity_path), ClusterSpot(hardness, spots), "
-                f"ConstantSpot(resistance), TableSpot(force, resistance) or NamedSpot(law, data), not {self.conductance!r}"
-            )
-        if not (self.heat is None or isinstance(self.heat, GapConductance)):
-            raise ValueError(f"heat must be None or GapConductance(law, data), not {self.heat!r}")
-        if not (self.friction is None or isinstance(self.friction, Friction)):
-            object.__setattr__(self, "friction", Friction(self.friction))
-        for card in self.cards():
-            check_card(*card)
-
-    def cards(self) -> Iterator[CardSpec]:
-        """The cards of the interaction."""
-        yield "SURFACE INTERACTION", {"NAME": self.name, **_unless(self, axis="HERMITE")}, []
-        for law in (self.behaviour, self.friction, self.conductance, self.heat):
-            if isinstance(law, _Law):
-                yield law.card()
-        if isinstance(self.friction, Friction) and self.friction.heat_fraction != 1:
-            yield "GAP HEAT GENERATION", {}, [[self.friction.heat_fraction]]
-
-
-#: Elastic wires of clean metal: the forces of Hertz, the spots of Hertz and Holm
-HERTZ_AND_HOLM: Interaction = predefined(
-    Interaction,
-    name="TOUCH",
-    behaviour=predefined(Hertz, penetration="LIMITED"),
-    conductance=predefined(
-        HertzSpot, voltage="CORRECTED", spot="PRESENT FORCE", mutual_resistance="NO", supertemperature="NO"
-    ),
-    friction=None,
-    axis="HERMITE",
-    heat=None,
-)
-
-
-@dataclass(frozen=True)
-class ContactPair:
-    """Two element sets that may touch, or an element set and a rigid surface.
-
-    Attributes
-    ----------
-    interaction : Interaction
-        The laws of the contact.
-    first, second : str
-        Names of groups or element sets; `second` is None for contact within the first, or a rigid surface.
-    interference_fit : bool
-        Initial overlaps of the wires are intended.
-    """
-
-    interaction: Interaction
-    first: str
-    second: str | None = None
-    interference_fit: bool = False
-
-    def cards(self) -> Iterator[CardSpec]:
-        """The card of the pair."""
-        parameters: dict = {"INTERACTION": self.interaction.name}
-        if self.interference_fit:
-            parameters["INTERFERENCE FIT"] = True
-        yield "CONTACT PAIR", parameters, [[self.first] if self.second is None else [self.first, self.second]]
 
 
 def _unless(law: object, **defaults: str) -> dict[str, str]:

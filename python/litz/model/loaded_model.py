@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 from ..base.names import nearest_name
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
-from .laws import ContactPair, Friction, GapConductance, Hertz, Interaction, Linear, NamedBehaviour, _Spot
+from .interactions import ContactPair, Interaction
+from .laws import Friction, GapConductance, Hertz, Linear, NamedBehaviour, _Spot
 from .loading import Amplitude, Direction, Prescribed, Target, degree_of_freedom, ranges_of
 from .names import AnyNodes
 from .steps import Step

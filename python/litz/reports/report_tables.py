@@ -9,7 +9,7 @@ from ..base.quantities import engineering, in_brackets, per, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import crossings_by_themselves
-from ..results.contact_pressures import onsets_in_words, wires_yield
+from ..results.contact_pressures import pressures_in_words
 from ..results.surface_forces import joule_heat_on_surfaces
 from ..wires.curves import arc_lengths
 
@@ -256,19 +256,15 @@ def worst_contacts(results: Results) -> str:
     ledger = results.contacts
     if not ledger.n_rows:
         return "<p>No wires have touched each other.</p>"
+    pressures = pressures_in_words(results)
+    note = f'<p class="note">{pressures[0].upper()}{pressures[1:]}.</p>' if pressures else ""
     ledger = ledger.where(crossings_by_themselves(results))
     if not ledger.n_rows:
-        return "<p>All contact between wires is along lines.</p>"
+        return f"<p>All contact between wires is along lines.</p>{note}"
     measures = [("largest penetration", -ledger["gap"]), ("largest force", ledger["force"])]
     density = current_density(ledger)
     if density.any():
         measures.append(("largest current density in the spot", density))
-    has_pressure = "pressure" in ledger and ledger["pressure"].any()
-    note = ""
-    if has_pressure and not wires_yield(ledger).all():
-        but = ", but where they yield" if wires_yield(ledger).any() else ""
-        beside = f"; {onsets_in_words()}" if ledger.units["pressure"] else ""
-        note = f'<p class="note">Pressures are those of elastic wires{but}{beside}.</p>'
     return note + "".join(
         _contact_table(name, ledger, _worst_of_each(ledger["id"], values)[:_MAX_CONTACTS]) for name, values in measures
     )

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from ..base.quantities import with_unit
 from ..base.table import Table
 from .result_file import ResultFile
 
@@ -36,15 +37,38 @@ def wires_yield(ledger: Table) -> np.ndarray:
 
 
 def pressure_lines(results: ResultFile) -> list[str]:
-    """The largest pressure at the last increment, and what metals bear; empty without contacts."""
-    ledger = results.contacts_at(-1)
+    """The largest pressures of the whole run and when they were, and what metals bear; empty without contacts."""
+    ledger, time = results.contacts, results.unit_labels["s"]
+    lines = []
+    for worst, remark in _largest_pressures(ledger):
+        value = f"{ledger['pressure'][worst]:12.5g} {ledger.units['pressure']:4}"
+        lines.append(f"  largest pressure       {value} {_place(ledger, worst, time)}, {remark}")
+        # numbers in unknown units cannot be compared
+        if ledger.units["pressure"] and not wires_yield(ledger)[worst]:
+            lines.append(f"    {onsets_in_words()}")
+    return lines
+
+
+def pressures_in_words(results: ResultFile) -> str:
+    """What `pressure_lines` tells, in one line; empty without contacts."""
+    return "; ".join(" ".join(line.split()) for line in pressure_lines(results))
+
+
+def _largest_pressures(ledger: Table) -> list[tuple[int, str]]:
+    """Rows of the largest pressure of wires that stay elastic, and of those that yield."""
     # results of litz 0.1 have no pressures
-    if "pressure" not in ledger or not ledger.n_rows or not ledger["pressure"].any():
+    if "pressure" not in ledger or not ledger.n_rows:
         return []
-    worst = int(np.argmax(ledger["pressure"]))
-    unit = ledger.units["pressure"]
-    largest = f"  largest pressure       {ledger['pressure'][worst]:12.5g} {unit:4} in contact {ledger['id'][worst]}"
-    if wires_yield(ledger)[worst]:
-        return [f"{largest}, of wires that yield"]
-    # numbers in unknown units cannot be compared
-    return [f"{largest}, if the wires stay elastic", *[f"    {onsets_in_words()}"] * bool(unit)]
+    yields = wires_yield(ledger)
+    found = []
+    for of_kind, remark in ((~yields, "if the wires stay elastic"), (yields, "of wires that yield")):
+        pressure = np.where(of_kind, ledger["pressure"], 0.0)
+        if pressure.any():
+            found.append((int(np.argmax(pressure)), remark))
+    return found
+
+
+def _place(ledger: Table, row: int, unit: str) -> str:
+    """Which contact, and when."""
+    time = with_unit(f"{ledger['time'][row]:g}", unit)
+    return f"in contact {ledger['id'][row]} at time {time} (step {ledger['step'][row]}, increment {ledger['increment'][row]})"

@@ -28,11 +28,14 @@ _MAY_BE_ROUND_OFF = 1e-12
 
 
 def summary(results: ResultFile) -> str:
-    """What was run, the increments as a table, and the last increment in numbers."""
+    """What was run, the increments as a table, the largest pressures, and the last increment in numbers."""
     parts = [_origin(results), _increments(results)]
     found = results.warnings
     if found:
         parts.append("\n".join([f"{len(found)} warning{'s' * (len(found) > 1)}:", *map(_warning, found)]))
+    pressures = pressure_lines(results)
+    if pressures:
+        parts.append("\n".join(["over all increments:", *map(_tidy, pressures)]))
     if len(results.times):
         parts.append(_last_increment(results))
     return "\n\n".join(parts) + "\n"
@@ -84,7 +87,6 @@ def _last_increment(results: ResultFile) -> str:
         + (f" at node {results.node_ids[size.argmax()]}" if largest else ""),
         f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit, "contacts of wires" if results.rigid_surfaces else "contacts"),
-        *pressure_lines(results),
     ]
     lines += _on_surfaces(results)
     heat = heat_wires + heat_contacts + heat_surfaces
