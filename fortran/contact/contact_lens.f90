@@ -177,11 +177,11 @@ contains
       if (is_wedge(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
    end function half_length_on
 
-   !> Of the wedge of overlap from the end of a wire on, which is part of no longer one, curvatures of the distance in
-   !> the ellipse whose law the cylinder has there, and in the parabola that ends in it; 0 of a wire that does not end
-   !> there, and where end meets end (2) [1/m]. Source: theory (10.18b).
+   !> Of the wedge of overlap from the end of a wire on, which is part of no longer one, curvatures of the distance; 0
+   !> of a wire that does not end there, and where end meets end. Source: theory (10.18b).
    pure subroutine find_wedges(point, of_law, of_overlap)
       type(contact_point_t), intent(in) :: point
+      !> In the ellipse whose law the cylinder has there, and in the parabola that ends in the wedge (2) [1/m]
       real(dp), intent(out) :: of_law(2), of_overlap(2)
       type(wedge_t) :: wedge
       integer :: i
