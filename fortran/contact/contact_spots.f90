@@ -21,7 +21,7 @@ module litz_contact_spots
    use litz_spot_law, only: contact_spot_t, contact_spot, spot_ok
    use litz_spot_memory, only: leaves_spot, lens_of_spot, as_it_was, shape_of_spot, keeps_shape, &
       overlap_of_spot, part_of_spot, uncut_force
-   use litz_spots_of_places, only: spot_of_cell, spot_per_length, number_of
+   use litz_spots_of_places, only: spot_of_cell, spot_per_length, is_round, number_of
    use litz_turned_lenses, only: turned_by
    use litz_wires, only: wires_t
    use litz_yielded_cells, only: find_yielded_cell, find_yielded_lens
@@ -269,7 +269,8 @@ contains
       call spot_along_lens(law, pair, made, point, whole, whole_by_resistivity, half_width)
       round = 0
       round_spot = contact_spot_t()
-      if (.not. (law%spot%is_per_length .or. law%normal%is_per_length_only() .or. conducts_as_stiff(law))) then
+      if (is_round(law) .or. is_cut(point%lens) .and. .not. (law%spot%is_per_length &
+         .or. law%normal%is_per_length_only() .or. conducts_as_stiff(law))) then
          round = 1 - long
          call spot_of_crossing(law, pair, spot_force, point, round_spot)
       end if

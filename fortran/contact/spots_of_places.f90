@@ -18,7 +18,7 @@ module litz_spots_of_places
    use litz_yielding_place, only: place_force
    implicit none
    private
-   public :: spot_of_cell, spot_per_length, strip_of, number_of
+   public :: spot_of_cell, spot_per_length, is_round, strip_of, number_of
 
    !> A quantity, and its derivatives with respect to overlap, slope and curvature at the place (3)
    type :: varying_t

@@ -181,6 +181,18 @@ class TestFieldAtPlaces:
         whole = np.interp(self.MIDDLES, PLACES, FIELDS[:, 2])
         np.testing.assert_allclose(loads, -CURRENT * 0.5 * whole, rtol=1e-9)
 
+    def test_tables_from_python_add_up(self, tmp_path):
+        model = litz.Model("a wire in a field")
+        wire = model.wire("WIRE", (0, 0, 0), (LENGTH, 0, 0), radius=RADIUS, material=litz.COPPER, elements=8)
+        model.fix(wire)
+        model.fix(wire.start, "potential")
+        step = model.step()
+        step.current(wire.end, -CURRENT)
+        for factor in (1, 0.5):
+            step.lorentz("WIRE", factor * FIELDS, along="x", places=PLACES)
+        loads = model.run(tmp_path).field("line_load")[:, 1]
+        np.testing.assert_allclose(loads, -1.5 * CURRENT * np.interp(self.MIDDLES, PLACES, FIELDS[:, 2]), rtol=1e-9)
+
     def test_from_python(self, tmp_path):
         model = litz.Model("a wire in a field")
         wire = model.wire("WIRE", (0, 0, 0), (LENGTH, 0, 0), radius=RADIUS, material=litz.COPPER, elements=8)

@@ -233,6 +233,8 @@ class ElementLoad:
     amplitude: str | None = None
     #: Axis along which `*LORENTZ` gives the field at places
     along: str | None = None
+    #: Lines of one table have the same number
+    table: int = 0
 
     def row(self) -> list:
         """The values of the line."""
@@ -270,10 +272,11 @@ def grouped(
     if op != "MOD" and not items:
         yield card, {"OP": op}, []
 
-    def parameters_of(item: Prescribed | Load | Temperature | ElementLoad) -> tuple[str | None, bool, str | None]:
-        return item.amplitude, getattr(item, "fixed", False), getattr(item, "along", None)
+    def parameters_of(item: Prescribed | Load | Temperature | ElementLoad) -> tuple[str | None, bool, str | None, int]:
+        along = getattr(item, "along", None)
+        return item.amplitude, getattr(item, "fixed", False), along, getattr(item, "table", 0) if along else 0
 
-    for (amplitude, fixed, along), lines in groupby(items, parameters_of):
+    for (amplitude, fixed, along, _), lines in groupby(items, parameters_of):
         parameters: dict[str, str | bool | None] = {} if op == "MOD" else {"OP": op}
         if amplitude is not None:
             parameters["AMPLITUDE"] = amplitude

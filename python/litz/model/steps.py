@@ -6,7 +6,7 @@ from typing import Any
 
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
-from .increments import SMALLEST_FRACTION, first_and_largest
+from .increments import SMALLEST_FRACTION, first_and_largest, procedure_parameters
 from .loading import (
     Amplitude,
     Direction,
@@ -86,7 +86,7 @@ class Step:
         times: list[float | None] = [first, total, smallest, largest]
         self._static: CardSpec = (
             procedure.upper(),
-            _procedure(procedure, direct, steady_state, electrical, {"DELTMX": deltmx, "ERROR": error}),
+            procedure_parameters(procedure, direct, steady_state, electrical, {"DELTMX": deltmx, "ERROR": error}),
             [times],
         )
         check_card(*self._static)
@@ -343,14 +343,20 @@ class Step:
         along, places : {"x", "y", "z"} and (n) array, optional
             Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
         """
-        for row in field_rows(field, gradient, along, places):
-            self._element_load("LORENTZ", elements, row, amplitude, along)
+        for i, row in enumerate(field_rows(field, gradient, along, places)):
+            self._element_load("LORENTZ", elements, row, amplitude, along, len(self.element_loads) - i)
 
     def _element_load(
-        self, card: str, elements: Any, row: list, amplitude: Amplitude | str | None, along: str | None = None
+        self,
+        card: str,
+        elements: Any,
+        row: list,
+        amplitude: Amplitude | str | None,
+        along: str | None = None,
+        table: int = 0,
     ) -> None:
         target = None if elements is None else self._model.element_set_of(elements)
-        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude), along and along.upper())
+        load = ElementLoad(card, target, tuple(row), self._amplitude(amplitude), along and along.upper(), table)
         check_card(card, {"ALONG": load.along} if along else {}, [load.row()])
         self.element_loads.append(load)
 
@@ -481,18 +487,6 @@ class Step:
             yield from grouped(name, [load for load in self.element_loads if load.card == name], self._ops[name])
         yield from self.cards
         yield "END STEP", {}, []
-
-
-def _procedure(
-    name: str, direct: bool, steady_state: bool, electrical: bool, limits: dict[str, float | None]
-) -> dict[str, Any]:
-    """Parameters of the card with the procedure."""
-    parameters: dict[str, Any] = {"DIRECT": True} if direct else {}
-    if squeezed(name) == squeezed("COUPLED TEMPERATURE-DISPLACEMENT") and electrical:
-        parameters["ELECTRICAL"] = True
-    if steady_state:
-        parameters["STEADY STATE"] = True
-    return parameters | {limit: value for limit, value in limits.items() if value is not None}
 
 
 def _is_over_time(procedure: CardSpec) -> bool:
