@@ -37,7 +37,8 @@ SPOTS = {
     "hardness": f"PLASTIC, VOLTAGE=LINEAR\n {HARDNESS}",
     "per length": f"CONSTANT, PER=LENGTH, VOLTAGE=LINEAR\n {PER_LENGTH}",
 }
-#: Force on wires that bend between their ends [N]: they do not follow each other yet at the smallest angle
+#: Force on wires that bend between their ends, which do not follow each other yet at the smallest angle, and on those of
+#: a hardness, whose lens is short at the largest ones [N]
 GENTLE = 0.05
 #: The wire that turns lies off the middle by this [m], so that the places of the two wires do not meet
 SHIFT = 0.73e-4
@@ -143,10 +144,10 @@ def crossed(angle=math.pi / 2, force=FORCE):
 
 def departure_from_round_spot(overlap, resistance):
     """Of wires that yield with the hardness of `SPOTS`, from F = pi a^2 H under Hertz's force of their overlap: while half
-    of their lens is shorter than a radius."""
+    of their lens is shorter than 0.3 radii, from where on it is a strip the more the longer it is."""
     force = np.array([(d / crossed(angle, 1.0).approach) ** 1.5 for d, angle in zip(overlap, FINE, strict=True)])
     exact = COPPER.resistivity / 2 * np.sqrt(math.pi * HARDNESS / force)
-    is_short = touching_length(overlap, FINE) < 2 * COPPER.radius
+    is_short = touching_length(overlap, FINE) < 0.6 * COPPER.radius
     return float(np.abs(resistance / exact - 1)[is_short].max())
 
 
@@ -182,6 +183,7 @@ def measure(workspace):
             lambda deck, name=name: workspace.run(f"fine_{name.replace(' ', '_')}", deck),
             spot,
             increments=CLOSE if name == "hardness" else 1,
+            force=GENTLE if name == "hardness" else FORCE,
         )
         for name, spot in SPOTS.items()
     }
