@@ -20,7 +20,7 @@ module litz_contact_lens
    private
    public :: has_lens, half_length_of, half_length_on, divide_at_ends, tells_shares, angle_of_axes, place_at_ends, &
       angle_of_law, sine_of_lens, sine_of_overlap, ends_of_wires, second_ends, is_at_cut_end, cut_ends, flatness, &
-      least_bend, find_wedges, lean_of, wedge_length, deepest, least_overlap, longest, small_sine, moderate_sine
+      least_bend, wedge_of, wedge_t, wedge_length, deepest, least_overlap, longest, small_sine, moderate_sine
 
    !> Sines of the angle between the axes up to which the lens alone gives the angle of the law, and from which on the
    !> axes do (5 and 10 degrees)
@@ -50,9 +50,15 @@ module litz_contact_lens
    !> Part of the curvature along wires side by side that is their own, at least: what ends leave has no corner there
    real(dp), parameter :: least_own_bend = 0.1_dp
 
-   !> The overlap at the end of a wire [m], how far it reaches from there [m], and how much it is a wedge, from 0 to 1.
+   !> The overlap from the end of a wire on, which is part of no longer one.
    type :: wedge_t
-      real(dp) :: overlap = 0, length = 0, lean = 0
+      !> Which of the wires ends there
+      integer :: wire = 0
+      !> How much it is a wedge, from 0 to 1
+      real(dp) :: lean = 0
+      !> Curvature of the distance in the ellipse whose law the cylinder has there, and in the parabola that ends in the
+      !> wedge [1/m]
+      real(dp) :: bend_of_law = 0, bend = 0
    end type wedge_t
 
 contains
@@ -177,54 +183,28 @@ contains
       if (is_wedge(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
    end function half_length_on
 
-   !> Of the wedge of overlap from the end of a wire on, which is part of no longer one, curvatures of the distance; 0
-   !> of a wire that does not end there, and where end meets end. Source: theory (10.18b).
-   pure subroutine find_wedges(point, of_law, of_overlap)
-      type(contact_point_t), intent(in) :: point
-      !> In the ellipse whose law the cylinder has there, and in the parabola that ends in the wedge (2) [1/m]
-      real(dp), intent(out) :: of_law(2), of_overlap(2)
-      type(wedge_t) :: wedge
-      integer :: i
-
-      of_law = 0
-      of_overlap = 0
-      do i = 1, 2
-         wedge = wedge_at(point, i)
-         if (.not. wedge%lean > 0) cycle
-         ! no rounder than that of wires at right angles
-         of_law(i) = wedge%lean*2*wedge%overlap/((reach*wedge%length)**2 + 2*point%kinematics%distance*wedge%overlap)
-         of_overlap(i) = wedge%lean*2*wedge%overlap/(whole_wedge*wedge%length)**2
-      end do
-   end subroutine find_wedges
-
    !> The wedge at the end of a wire that leans on another one: that of wires side by side, and not half of a lens as
-   !> where wires cross over the end of one, nor as long as places along the wires resolve.
-   pure type(wedge_t) function wedge_at(point, i) result(wedge)
+   !> where wires cross over the end of one, nor as long as places along the wires resolve. There is none where end
+   !> meets end. Source: theory (10.18b).
+   pure type(wedge_t) function wedge_of(point) result(wedge)
       type(contact_point_t), intent(in) :: point
-      !> 1: barred, 2: unbarred
-      integer, intent(in) :: i
-      real(dp) :: bend, radius
+      real(dp) :: bend, radius, length
 
-      if (count(point%held) /= 1 .or. .not. (point%held(i) .and. point%at_end(i) .and. point%gap < 0)) return
+      if (count(point%held) /= 1 .or. .not. point%gap < 0) return
+      wedge%wire = findloc(point%held, .true., 1)
       radius = minval(point%radius)
-      bend = max(0.0_dp, point%bend(i))
-      associate (tilt => abs(point%tilt(i)), overlap => min(-point%gap, deepest*radius))
-         wedge%overlap = overlap
-         wedge%length = wedge_length(tilt, point%bend(i), overlap)
-         if (.not. tilt > 0) return
-         wedge%lean = tilt**2/(tilt**2 + 2*bend*overlap)*(1 - smooth_step(wedge%length/radius - 1)) &
+      associate (i => wedge%wire, overlap => min(-point%gap, deepest*radius), tilt => abs(point%tilt(wedge%wire)))
+         if (.not. (point%at_end(i) .and. tilt > 0)) return
+         bend = max(0.0_dp, point%bend(i))
+         length = wedge_length(tilt, point%bend(i), overlap)
+         wedge%lean = tilt**2/(tilt**2 + 2*bend*overlap)*(1 - smooth_step(length/radius - 1)) &
             *(1 - smooth_step((sqrt(bend*point%kinematics%distance) - small_sine/2)/(small_sine/2)))
+         if (.not. wedge%lean > 0) return
+         ! no rounder than that of wires at right angles
+         wedge%bend_of_law = wedge%lean*2*overlap/((reach*length)**2 + 2*point%kinematics%distance*overlap)
+         wedge%bend = wedge%lean*2*overlap/(whole_wedge*length)**2
       end associate
-   end function wedge_at
-
-   !> How much the end of a wire leans on another one, as `wedge_at` has it [-].
-   pure real(dp) function lean_of(point) result(lean)
-      type(contact_point_t), intent(in) :: point
-      type(wedge_t) :: wedges(2)
-
-      wedges = [wedge_at(point, 1), wedge_at(point, 2)]
-      lean = maxval(wedges%lean)
-   end function lean_of
+   end function wedge_of
 
    !> How far an overlap reaches from the end of a wire on, where the distance grows:
    !> `2 delta/(t + sqrt(t^2 + 2 k delta))` [m].
@@ -244,7 +224,8 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(inout) :: point
-      real(dp) :: overlap, radius, to_end(2), way(3, 2), of_law(2), of_overlap(2)
+      real(dp) :: overlap, radius, to_end(2), way(3, 2), least(2), own
+      type(wedge_t) :: wedge
       integer :: i
 
       if (point%lens%is_known .or. point%gap >= 0 .or. .not. point%kinematics%distance > 0) return
@@ -265,16 +246,17 @@ contains
          lens%cosine = dot_product(way(:, 1), way(:, 2))/max(norm2(way(:, 1))*norm2(way(:, 2)), tiny(d))
          lens%bend = bends_over_feet(point, lens%cosine)
          overlap = min(-point%gap, deepest*radius)
-         call find_wedges(point, of_law, of_overlap)
-         associate (least => d*max(least_bend(0.0_dp, overlap, longest*radius), of_overlap))
-            lens%own_bend = max(least_own_bend, lens%bend/max(lens%bend, least))
-            lens%bend = max(lens%bend, least)
-            lens%of_wedge = max(1.0_dp, maxval(d*of_law/lens%bend))
-         end associate
-         ! along the other wire the same parabola is as curved
-         associate (own => sum(lens%bend, mask=of_overlap > 0))
-            if (own > 0) lens%bend = max(lens%bend, own/(own + lens%cosine**2))
-         end associate
+         wedge = wedge_of(point)
+         least = d*least_bend(0.0_dp, overlap, longest*radius)
+         if (wedge%lean > 0) least(wedge%wire) = max(least(wedge%wire), d*wedge%bend)
+         lens%own_bend = max(least_own_bend, lens%bend/max(lens%bend, least))
+         lens%bend = max(lens%bend, least)
+         if (wedge%lean > 0) then
+            own = lens%bend(wedge%wire)
+            lens%of_wedge = max(1.0_dp, d*wedge%bend_of_law/own)
+            ! along the other wire the same parabola is as curved
+            lens%bend = max(lens%bend, own/(own + lens%cosine**2))
+         end if
          ! nothing is felt of an end that is farther away
          overlap = max(overlap, least_felt*radius)
          to_end = merge(to_end, 0.0_dp, lens%near .and. .not. point%at_end)

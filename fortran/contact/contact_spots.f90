@@ -244,6 +244,13 @@ contains
       conducts_as_stiff = law%spot%film_number == 0 .and. law%spot%hardness_number == 0 .and. .not. law%normal%yields()
    end function conducts_as_stiff
 
+   !> The spot is an ellipse as far as the lens is short, which conducts otherwise than the strip along it.
+   pure logical function has_ellipse(law)
+      type(interaction_t), intent(in) :: law
+
+      has_ellipse = .not. (law%spot%is_per_length .or. law%normal%is_per_length_only() .or. conducts_as_stiff(law))
+   end function has_ellipse
+
    !> Of the largest force of a crossing the spot stays as a whole as far as its lens was short then; as far as that was
    !> long, the strip stays where the wires still touch.
    pure subroutine keep_what_touches(law, pair, spot_force, point, circuit)
@@ -269,8 +276,7 @@ contains
       call spot_along_lens(law, pair, made, point, whole, whole_by_resistivity, half_width)
       round = 0
       round_spot = contact_spot_t()
-      if (is_round(law) .or. is_cut(point%lens) .and. .not. (law%spot%is_per_length &
-         .or. law%normal%is_per_length_only() .or. conducts_as_stiff(law))) then
+      if (is_round(law) .or. is_cut(point%lens) .and. has_ellipse(law)) then
          round = 1 - long
          call spot_of_crossing(law, pair, spot_force, point, round_spot)
       end if

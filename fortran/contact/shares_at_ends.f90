@@ -5,7 +5,7 @@
 module litz_shares_at_ends
    use litz_kinds, only: dp
    use litz_bent_contacts, only: feels_bends, sine_of_bends
-   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, find_wedges, lean_of, deepest, &
+   use litz_contact_lens, only: half_length_on, angle_of_axes, flatness, least_bend, wedge_of, wedge_t, deepest, &
       least_overlap, longest, small_sine, moderate_sine
    use litz_contact_points, only: contact_point_t, contact_set_t, points_by_place_t, leg_t, is_contact_of
    use litz_cut_lens, only: is_cut
@@ -74,8 +74,10 @@ contains
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(contact_point_t), intent(in) :: point
+      type(wedge_t) :: wedge
 
-      share = share_of_line((1 + lean_of(point))*length_of_end(wires, elements, point)/minval(point%radius))
+      wedge = wedge_of(point)
+      share = share_of_line((1 + wedge%lean)*length_of_end(wires, elements, point)/minval(point%radius))
    end function section_of_end
 
    !> How far the overlap of an end reaches along both wires, until one of them ends [m].
@@ -254,7 +256,8 @@ contains
       type(contact_point_t), intent(in) :: point
       !> Of an overlap, at most [m]
       real(dp), intent(in) :: length
-      real(dp) :: bend, of_law(2), of_overlap(2)
+      type(wedge_t) :: wedge
+      real(dp) :: bend
       logical :: at_joint(2)
 
       ! along the end of one wire it is that over one of the legs of the other one
@@ -263,8 +266,8 @@ contains
       if (all(at_joint)) bend = sin(point%lens%angle)**2/point%kinematics%distance
       sine = sqrt(point%kinematics%distance*least_bend(bend, max(0.0_dp, min(-point%gap, &
          deepest*minval(point%radius))), length))
-      call find_wedges(point, of_law, of_overlap)
-      sine = max(sine, sqrt(point%kinematics%distance*maxval(of_law)))
+      wedge = wedge_of(point)
+      sine = max(sine, sqrt(point%kinematics%distance*wedge%bend_of_law))
       sine = max(least_sine, min(1.0_dp, sine))
    end function sine_at_end
 

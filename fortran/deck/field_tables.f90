@@ -5,15 +5,13 @@
 module litz_field_tables
    use litz_kinds, only: dp
    use litz_deck, only: token_t
+   use litz_element_loads, only: field_axes
    use litz_model, only: model_t
    use litz_reader, only: reader_t, fail_at
    use litz_text, only: to_text
    implicit none
    private
-   public :: field_table_t, field_axes
-
-   !> Names of the axes
-   character(len=1), parameter :: field_axes(3) = ['X', 'Y', 'Z']
+   public :: field_table_t
 
    type :: field_table_t
       !> 1 to 3: the axis

@@ -4,8 +4,7 @@ module litz_read_contact
    use litz_text, only: to_text
    use litz_deck, only: token_t
    use litz_axis_choices, only: axis_linear
-   use litz_check_free_path, only: check_free_path
-   use litz_check_yielding, only: check_elasticity
+   use litz_check_over_temperature, only: check_over_temperature
    use litz_heat_law, only: heat_law, heat_metal_law
    use litz_law_words, only: law_words_t
    use litz_model, only: model_t, interaction_t, contact_pair_t
@@ -437,9 +436,7 @@ contains
          associate (members => model%element_sets(sets(k))%members)
             do i = 1, size(members)
                if (model%element_section(members(i)) == 0) cycle
-               call check_elasticity(self, model, pair%interaction, members(i), self%values%token(k), ok)
-               if (.not. ok) exit
-               call check_free_path(self, model, pair%interaction, members(i), self%values%token(k), ok)
+               call check_over_temperature(self, model, pair%interaction, members(i), self%values%token(k), ok)
                if (.not. ok) exit
                associate (section => model%sections(model%element_section(members(i))))
                   if (section%contact_radius > 0 .or. .not. section%area > 0) cycle

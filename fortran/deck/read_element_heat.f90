@@ -5,8 +5,8 @@ module litz_read_element_heat
    use litz_definitions, only: find_definition
    use litz_deck, only: token_t
    use litz_model, only: model_t, element_heat_t, leave_step
-   use litz_reader, only: halves_of, reader_t, fail_at, parameter_of, choice_of, keyword_of, deck_gives
-   use litz_sets, only: find_item
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, deck_gives
+   use litz_sets, only: elements_of, find_item
    use litz_text, only: to_text
    implicit none
    private
@@ -87,9 +87,7 @@ contains
          call read_line(self, card, line, ok)
          if (.not. ok) cycle
          call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
-         if (element > 0) call set_heat(self, model, halves_of(self, element), kind, line, amplitude, heat, cards)
-         if (set > 0) call set_heat(self, model, model%element_sets(set)%members, kind, line, &
-            amplitude, heat, cards)
+         call set_heat(self, model, elements_of(self, model, element, set), kind, line, amplitude, heat, cards)
       end do
    end subroutine read_element_heat
 

@@ -5,11 +5,11 @@ module litz_read_element_loads
    use litz_deck, only: token_t
    use litz_definitions, only: find_definition
    use litz_element_loads, only: element_load_t, load_kind_named, load_label, load_grav, load_lorentz, n_load_kinds, &
-      n_dload_kinds
-   use litz_field_tables, only: field_axes, field_table_t
+      n_dload_kinds, field_axes
+   use litz_field_tables, only: field_table_t
    use litz_model, only: model_t, leave_step
-   use litz_reader, only: halves_of, reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
-   use litz_sets, only: find_item
+   use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
+   use litz_sets, only: elements_of, find_item
    use litz_text, only: to_text
    implicit none
    private
@@ -107,8 +107,7 @@ contains
             end if
          end associate
          call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
-         if (element > 0) call set_loads(self, model, halves_of(self, element), load, list)
-         if (set > 0) call set_loads(self, model, model%element_sets(set)%members, load, list)
+         call set_loads(self, model, elements_of(self, model, element, set), load, list)
       end do
       if (table%axis > 0) call table%finish(self, model)
    end subroutine read_element_loads
@@ -127,11 +126,7 @@ contains
       if (element == 0 .and. set == 0) return
       if (.not. table%is_of(element, set)) then
          call table%finish(self, model)
-         if (set > 0) then
-            call table%start(element, set, model%element_sets(set)%members)
-         else
-            call table%start(element, set, halves_of(self, element))
-         end if
+         call table%start(element, set, elements_of(self, model, element, set))
       end if
       load%kind = load_lorentz
       call table%take(self, model, elements, load%value)

@@ -2,7 +2,7 @@
 module litz_read_surfaces
    use litz_kinds, only: dp
    use litz_text, only: to_text
-   use litz_check_yielding, only: check_elasticity
+   use litz_check_over_temperature, only: check_over_temperature
    use litz_conduction, only: surface_obstacle
    use litz_deck, only: token_t
    use litz_data_lines, only: read_line
@@ -154,7 +154,7 @@ contains
       associate (members => model%element_sets(pair%set)%members, surface => model%surfaces(pair%surface))
          do i = 1, size(members)
             if (model%element_section(members(i)) == 0) cycle
-            call check_elasticity(self, model, pair%interaction, members(i), self%values%token(1), ok)
+            call check_over_temperature(self, model, pair%interaction, members(i), self%values%token(1), ok)
             if (.not. ok) return
             associate (section => model%sections(model%element_section(members(i))), &
                element => 'element '//to_text(model%element_id(members(i))))

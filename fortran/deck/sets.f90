@@ -6,12 +6,13 @@ module litz_sets
    use litz_deck, only: token_t
    use litz_lookup, only: id_map_t
    use litz_model, only: model_t, named_set_t, name_length
-   use litz_reader, only: reader_t, set_builder_t, fail_at, warn_at, parameter_of, has_flag, name_of, keyword_of, &
-      names_hint, may_be_defined
+   use litz_reader, only: halves_of, reader_t, set_builder_t, fail_at, warn_at, parameter_of, has_flag, name_of, &
+      keyword_of, names_hint, may_be_defined
    use litz_data_lines, only: read_line
    implicit none
    private
-   public :: open_set, open_named_set, continue_set, add_member, add_once, read_sets, find_set, find_item
+   public :: open_set, open_named_set, continue_set, add_member, add_once, read_sets, find_set, find_item, &
+      elements_of
 
    !> Most members that all sets of one kind may have: they are counted in default integers, and room for them doubles
    integer, parameter :: max_members = 2**30
@@ -422,5 +423,18 @@ contains
          sets(set)%members = members(:n)
       end do
    end subroutine finish_sets
+
+   !> The elements that `find_item` has found (n); none after an error.
+   function elements_of(self, model, element, set) result(elements)
+      type(reader_t), intent(in) :: self
+      type(model_t), intent(in) :: model
+      !> Indices of an element or of a set, 0: not that
+      integer, intent(in) :: element, set
+      integer, allocatable :: elements(:)
+
+      allocate (elements(0))
+      if (element > 0) elements = halves_of(self, element)
+      if (set > 0) elements = model%element_sets(set)%members
+   end function elements_of
 
 end module litz_sets

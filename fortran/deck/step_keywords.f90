@@ -1,6 +1,6 @@
 !> The keywords of steps: loads, output, and how the equations are solved.
 module litz_step_keywords
-   use litz_element_loads, only: load_choices
+   use litz_element_loads, only: load_choices, field_axes
    use litz_fields, only: fields, n_fields, field_displacement, field_rotation, dof_range, describe_dofs, list_units
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
@@ -153,7 +153,6 @@ contains
       type(keyword_table_t), intent(inout) :: table
       type(keyword_t) :: k
       type(field_spec_t) :: whole_model
-      character(len=1), parameter :: field_axes(3) = ['X', 'Y', 'Z']
       integer :: i
 
       call begin(k, 'DLOAD', place_step, 'Forces on the length of wires, per reference length. PX, PY, PZ: along'// &

@@ -3,7 +3,7 @@ module litz_element_loads
    use litz_kinds, only: dp
    implicit none
    private
-   public :: element_load_t, load_kind_named, load_label, load_choices
+   public :: element_load_t, load_kind_named, load_label, load_choices, field_axes
    public :: load_px, load_pz, load_p1, load_p2, load_grav, load_lorentz, n_load_kinds, n_dload_kinds
 
    !> Force per length along the global axes, and along the section axes, with which it turns; weight by an
@@ -14,6 +14,9 @@ module litz_element_loads
    !> Labels of *DLOAD, in the order of the kinds; the last has a card of its own
    character(len=7), parameter :: labels(n_load_kinds) = [character(len=7) :: 'PX', 'PY', 'PZ', 'P1', 'P2', 'GRAV', &
       'LORENTZ']
+
+   !> Axes along which *LORENTZ, ALONG gives a field
+   character(len=1), parameter :: field_axes(3) = ['X', 'Y', 'Z']
 
    type :: element_load_t
       integer :: element = 0

@@ -138,6 +138,17 @@ def table(places=PLACES, fields=FIELDS, along="X", name="WIRE"):
     return "\n".join([f"*LORENTZ, ALONG={along}", *rows]) + "\n"
 
 
+def wire_with_current():
+    """The model and its step."""
+    model = litz.Model("a wire in a field")
+    wire = model.wire("WIRE", (0, 0, 0), (LENGTH, 0, 0), radius=RADIUS, material=litz.COPPER, elements=8)
+    model.fix(wire)
+    model.fix(wire.start, "potential")
+    step = model.step()
+    step.current(wire.end, -CURRENT)
+    return model, step
+
+
 class TestFieldAtPlaces:
     """A wire along x, 8 elements of 12.5 mm."""
 
@@ -182,24 +193,14 @@ class TestFieldAtPlaces:
         np.testing.assert_allclose(loads, -CURRENT * 0.5 * whole, rtol=1e-9)
 
     def test_tables_from_python_add_up(self, tmp_path):
-        model = litz.Model("a wire in a field")
-        wire = model.wire("WIRE", (0, 0, 0), (LENGTH, 0, 0), radius=RADIUS, material=litz.COPPER, elements=8)
-        model.fix(wire)
-        model.fix(wire.start, "potential")
-        step = model.step()
-        step.current(wire.end, -CURRENT)
+        model, step = wire_with_current()
         for factor in (1, 0.5):
             step.lorentz("WIRE", factor * FIELDS, along="x", places=PLACES)
         loads = model.run(tmp_path).field("line_load")[:, 1]
         np.testing.assert_allclose(loads, -1.5 * CURRENT * np.interp(self.MIDDLES, PLACES, FIELDS[:, 2]), rtol=1e-9)
 
     def test_from_python(self, tmp_path):
-        model = litz.Model("a wire in a field")
-        wire = model.wire("WIRE", (0, 0, 0), (LENGTH, 0, 0), radius=RADIUS, material=litz.COPPER, elements=8)
-        model.fix(wire)
-        model.fix(wire.start, "potential")
-        step = model.step()
-        step.current(wire.end, -CURRENT)
+        model, step = wire_with_current()
         step.lorentz("WIRE", FIELDS, along="x", places=PLACES)
         loads = model.run(tmp_path).field("line_load")[:, 1]
         np.testing.assert_allclose(loads, -CURRENT * np.interp(self.MIDDLES, PLACES, FIELDS[:, 2]), rtol=1e-9)

@@ -273,8 +273,7 @@ def grouped(
         yield card, {"OP": op}, []
 
     def parameters_of(item: Prescribed | Load | Temperature | ElementLoad) -> tuple[str | None, bool, str | None, int]:
-        along = getattr(item, "along", None)
-        return item.amplitude, getattr(item, "fixed", False), along, getattr(item, "table", 0) if along else 0
+        return item.amplitude, getattr(item, "fixed", False), getattr(item, "along", None), getattr(item, "table", 0)
 
     for (amplitude, fixed, along, _), lines in groupby(items, parameters_of):
         parameters: dict[str, str | bool | None] = {} if op == "MOD" else {"OP": op}

@@ -343,8 +343,9 @@ class Step:
         along, places : {"x", "y", "z"} and (n) array, optional
             Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
         """
-        for i, row in enumerate(field_rows(field, gradient, along, places)):
-            self._element_load("LORENTZ", elements, row, amplitude, along, len(self.element_loads) - i)
+        table = len(self.element_loads) if along else 0
+        for row in field_rows(field, gradient, along, places):
+            self._element_load("LORENTZ", elements, row, amplitude, along, table)
 
     def _element_load(
         self,
