@@ -41,6 +41,16 @@ def test_a_tip_has_the_force_of_solid_wires_and_holds_its_work(run, slope, overl
     assert np.abs(lost[20:]).max() < 0.025
 
 
+@pytest.mark.parametrize("slope", [5e-3, 1e-3, 3e-4])
+def test_a_lightly_pressed_tip_has_the_force_of_half_spaces(run, slope):
+    """At an overlap of 0.01 % of the radius, along 0.02 to 0.3 radii: neither how long an overlap may be at most nor where
+    the other wire ends matters."""
+    upper = from_tip((0.1 * RADIUS, 0, 2 * RADIUS), (1, 0, slope), n=12)
+    overlaps, forces, _ = pressed(run, ALONG, upper, 1e-4, 2)
+    exact = force_of_tip(slope / overlaps[-1] ** 0.5, cells=80) * overlaps[-1] ** 1.5
+    assert forces[-1] == pytest.approx(exact, rel=0.06)
+
+
 @pytest.mark.parametrize("slope", [0.1, 0.03])
 def test_a_tip_has_its_force_on_any_mesh(run, slope):
     """With elements of a radius and of a twelfth on both wires: the spot of a round end is none of a line."""
