@@ -56,16 +56,15 @@ def test_the_end_of_a_wire_is_a_sphere_with_its_dent(run, degrees, pair):
 def test_wires_side_by_side_beside_an_end_are_pressed_without_a_step(run):
     """At 10 degrees, 1.3 radii before the end of one: places along the wires carry all, where the crossing loses its
     last share."""
-    angle = np.radians(10)
-    lower = np.linspace((-12 * COPPER.radius, 0, 0), (1.3 * COPPER.radius, 0, 0), 20)
-    upper = np.array([0, 0, STEEL.radius + COPPER.radius]) + np.outer(
-        np.linspace(-10.3, 11.7, 33) * COPPER.radius, [np.cos(angle), -np.sin(angle), 0]
+    angle, radius, hard = np.radians(10), COPPER.radius, PressedWire(COPPER.radius, 210e9, 0.3, 1.4e-7)
+    lower = np.linspace((-12 * radius, 0, 0), (1.3057668 * radius, 0, 0), 20)
+    upper = np.array([0, 0, 2 * radius]) + np.outer(
+        np.linspace(-10.3, 10.9, 31) * radius, [np.cos(angle), -np.sin(angle), 0]
     )
-    steps = [moved(0, 0, -z * COPPER.radius, increments=n) for z, n in ((0.0138, 6), (0.0152, 40))]
+    steps = [moved(0, 0, -z * radius, increments=n) for z, n in ((0.014, 12), (0.015, 48))]
     law = BEHAVIOR.replace(str(YIELD), "3e8")
-    deck = two_wires(lower, upper, HELD, *steps, wires=(STEEL, COPPER), law=law)
-    results = solved(run(deck))
-    forces = np.array([results.contacts_at(i)["force"].sum() for i in range(6, 47)])
+    results = solved(run(two_wires(lower, upper, HELD, *steps, wires=(hard, COPPER), law=law)))
+    forces = np.array([results.contacts_at(i)["force"].sum() for i in range(12, 61)])
     assert np.diff(forces).min() > 0
     assert np.abs(np.diff(forces, 2)).max() < 1e-3 * forces[-1]
 
