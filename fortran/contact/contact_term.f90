@@ -36,7 +36,7 @@ module litz_contact_term
 
    !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
    !> each time
-   integer, parameter :: max_settlings = 2
+   integer, parameter :: max_settlings = 2, max_anticipations = 3
    real(dp), parameter :: settled_change(max_settlings) = [0.02_dp, 0.1_dp]
    !> Overlaps are known when no linear step has missed one by more than this part of the largest, and no force is left
    !> over that is more than this part of the largest contact force: the next step then changes them by its square
@@ -100,6 +100,7 @@ contains
          call forget_predictions(contact%points)
          call forget_predictions(contact%line_points)
          contact%n_settled = 0
+         contact%n_anticipated = 0
          contact%shares_wait = .false.
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             domain%wires)
@@ -335,9 +336,10 @@ contains
          if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
          if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
             maxval(-points%gap), maxval(-line_points%gap))) return
-         if (self%contact%n_settled > 0) return
+         if (self%contact%n_anticipated >= max_anticipations) return
+         self%contact%n_anticipated = self%contact%n_anticipated + 1
+         self%contact%n_settled = 0
          call self%settle(domain, has_moved)
-         ! once is enough
          self%contact%n_settled = 1
       end associate
    end subroutine anticipate
