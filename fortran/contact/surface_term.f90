@@ -42,6 +42,10 @@ module litz_surface_term
    !> Relative change of the logarithm of the far field that is worth another iteration, and updates at most
    real(dp), parameter :: settled = 1.0e-4_dp
    integer, parameter :: most_updates = 4
+   !> Updates at most before forces balance, as soon as none is left over that is more than this part of the largest
+   !> contact force, and none has been predicted worse
+   integer, parameter :: most_anticipations = 3
+   real(dp), parameter :: nearly_balanced = 0.1_dp
    !> Relative change of the stiffness of a stick that is worth it
    real(dp), parameter :: stick_tolerance = 0.01_dp
    !> Turn of a surface with friction in an increment, whose chord is 0.3 % short [rad]
@@ -50,7 +54,7 @@ module litz_surface_term
    type, extends(term_t) :: surface_term_t
       type(surface_cell_t), allocatable :: cells(:)
       !> How often laws have been updated in this increment
-      integer :: updates = 0
+      integer :: updates = 0, anticipations = 0
       !> Forces of surfaces that are fixed in space on the nodes (6, n_nodes) [N, N m]
       real(dp), allocatable :: outer(:, :)
       type(touched_t), allocatable :: touched(:)
@@ -62,6 +66,7 @@ module litz_surface_term
       procedure :: count_status
       procedure :: link
       procedure :: predict
+      procedure :: anticipate
       procedure :: settle
       procedure :: add_energies
       procedure :: bearable_increment
@@ -141,6 +146,7 @@ contains
       call survey(self, domain)
       call update_laws(self, domain, 0.0_dp, has_changed)
       self%updates = 0
+      self%anticipations = 0
       call press(self, domain)
       call remember(self, domain)
       self%cells%predicted = -1
@@ -366,6 +372,24 @@ contains
          end associate
       end do
    end subroutine predict
+
+   !> Forces are known well enough for the far field that goes with them.
+   subroutine anticipate(self, domain, residual, has_moved)
+      class(surface_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Largest force that is left over at any node [N]
+      real(dp), intent(in) :: residual
+      !> The forces must be evaluated again
+      logical, intent(inout) :: has_moved
+
+      if (size(self%cells) == 0 .or. self%anticipations >= most_anticipations) return
+      associate (missed => maxval(abs(self%cells%force - self%cells%predicted)), largest => maxval(self%cells%force))
+         if (max(residual, missed) > nearly_balanced*largest) return
+      end associate
+      self%anticipations = self%anticipations + 1
+      call self%settle(domain, has_moved)
+      self%updates = 0
+   end subroutine anticipate
 
    !> The lenses have changed since the increment began: the forces are to balance with what they are now.
    subroutine settle(self, domain, has_moved)
