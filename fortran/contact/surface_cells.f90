@@ -136,7 +136,7 @@ contains
       type(wire_axis_t), intent(in) :: axis
       !> The place; largest overlap that metal that yields remembers [m]
       real(dp), intent(in) :: xi, dent
-      real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), tangent(3), bend, e(2), curvature
+      real(dp) :: x1(3), x2(3), distance, normal(3), hessian(3, 3), tangent(3), bend, beside, e(2), curvature
 
       associate (p => axis%p)
          call surface_distance(surface, p(:, 0) + xi*(p(:, 1) + xi*(p(:, 2) + xi*p(:, 3))), distance, normal, hessian)
@@ -144,7 +144,8 @@ contains
          x2 = 2*p(:, 2) + xi*6*p(:, 3)
       end associate
       bend = dot_product(normal, x2)/dot_product(x1, x1)
-      relative%opening = bend + dot_product(x1, matmul(hessian, x1))/dot_product(x1, x1)   ! D''
+      beside = dot_product(x1, matmul(hessian, x1))/dot_product(x1, x1)
+      relative%opening = bend + beside                                                     ! D''
       tangent = x1 - normal*dot_product(normal, x1)
       tangent = tangent/max(norm2(tangent), tiny(1.0_dp))
       curvature = curvature_of_surface(surface)
@@ -152,8 +153,10 @@ contains
       e = [dot_product(cross(surface%direction, normal), tangent), dot_product(surface%direction, tangent)]
       relative%across = 1/axis%law_radius + curvature*e(2)**2
       relative%of_surface = curvature*e(1)**2
-      relative%along = bend/max(1 + bend*axis%law_radius, 0.5_dp) + relative%of_surface
       relative%mixed = curvature*e(1)*e(2)
+      ! seen from surfaces, not from the axis: (12.2a)
+      relative%along = relative%mixed**2/relative%across + relative%opening/(max(1 + bend*axis%law_radius, 0.5_dp) &
+         *max(1 - beside*distance, 0.5_dp))
       if (.not. relative%opening > 0) return
       relative%deepest = max(dent, axis%radius - distance) &
          + dot_product(normal, x1)**2/(2*relative%opening*dot_product(x1, x1))             ! delta + t^2/(2 k)

@@ -21,7 +21,7 @@ module litz_end_on_surface
    !> Unit of length, in radii, of an overlap from the end of a wire on: up to two of them the end carries it, from six
    !> on the wire beside it; where it takes the place of the law per length, and where it is added to that
    real(dp), parameter :: instead_of_line = 0.45_dp, beside_line = 0.26_dp
-   !> What a cylinder adds to the energy of the sphere, (12.2b): a fit within 1.5 % of the force
+   !> What a cylinder adds to the energy of the sphere, (12.2c): a fit within 1.5 % of the force
    real(dp), parameter :: size_of_e = 0.1_dp, of_curvature = 1.25_dp, of_slope = 3.4_dp, of_length = 0.375_dp
    !> Slope v from which on that holds however the wire is bent
    real(dp), parameter :: steep = 0.2_dp
@@ -87,7 +87,7 @@ contains
 
    !> Energy of an end beside the wire along which the surface lies: nothing of a long overlap; of a short one, where
    !> the wire is nearest to the surface at its end or beyond, or so near to it that the overlap is cut there, what the
-   !> cylinder leaves (12.2a).
+   !> cylinder leaves (12.2b).
    pure subroutine end_energy(end, whole, overlap, slope, energy, of_line)
       type(wire_end_t), intent(in) :: end
       !> Energy of an end that nothing is beside, at this overlap [J]
@@ -164,7 +164,7 @@ contains
       bend = max(end%bend, 0.0_dp)
    end function bend_away
 
-   !> `e(v)` of (12.2b), by which the cylinder raises the energy of the sphere in a half-space.
+   !> `e(v)` of (12.2c), by which the cylinder raises the energy of the sphere in a half-space.
    pure type(jet_t) function cylinder_beside(end, v) result(e)
       type(wire_end_t), intent(in) :: end
       !> `t sqrt(rho/delta)`, positive

@@ -150,7 +150,9 @@ contains
 
       mean = (curvature%across + curvature%along)/2
       half_difference = hypot((curvature%across - curvature%along)/2, curvature%mixed)
-      principal = [mean + half_difference, mean - half_difference]
+      principal(1) = mean + half_difference
+      ! a difference of the two would be round-off where wires conform to the surface
+      principal(2) = (curvature%across*curvature%along - curvature%mixed**2)/principal(1)
       exists = curvature%opening > 0 .and. principal(2) > epsilon(mean)*principal(1)
       if (.not. exists) return
       call hertz_ellipse(1/principal, [young, rigid*young], [poisson, 0.0_dp], pi/2, ellipse, info)

@@ -116,6 +116,36 @@ def test_a_wire_that_exactly_touches_a_plane_is_pressed_in_one_increment(run, cl
     np.testing.assert_allclose(now["force"], beside["force"], rtol=1e-4, atol=1e-4)
 
 
+def held_wire(points, shape, data, depth, radius):
+    """A surface is raised by `depth` against a wire whose nodes are held."""
+    hold = "*BOUNDARY\n W, 1, 6\n 999, 1, 2\n 999, 4, 6\n"
+    deck = wire(points, radius) + surface(shape, data, (999, "0, 0, 0")) + hold
+    return deck + step(f"*BOUNDARY\n 999, 3, 3, {depth:.17g}\n", static="1, 1")
+
+
+@pytest.mark.parametrize("size", [2.0, 0.5, 0.25])
+@pytest.mark.parametrize("shape", ["BORE", "CYLINDER"])
+def test_a_wire_that_conforms_to_a_surface_has_the_law_of_its_length_in_any_mesh(run, shape, size):
+    """An arc of 60 degrees about the axis of a cylinder of 30 of its radii, in touch all along it, has across it the relative
+    curvature of a straight wire on a plane, and none along it: elements shorter than their arc is open see no lens."""
+    radius, depth = 1e-3, 3e-6
+
+    def force(points, shape, data, depth):
+        _, results = run(held_wire(points, shape, data, depth, radius))
+        table = results.surface_contacts
+        return np.sum(table["force"] * np.abs(table["normal_z"]))
+
+    # of a straight wire, per length, and the power of the overlap that it goes with
+    plane = [force(along_x(4 * radius, 4, radius), "PLANE", "0, 0, 0, 0, 0, 1", d) for d in (0.9 * depth, depth)]
+    power = np.log(plane[1] / plane[0]) / np.log(1 / 0.9)
+    side, down = (29, 1) if shape == "BORE" else (31, -1)
+    angles = np.radians(np.linspace(-30, 30, 1 + round(np.radians(60) * side / size)))
+    arc = [(side * radius * np.sin(a), 0, -down * side * radius * np.cos(a)) for a in angles]
+    places = np.radians(np.linspace(-30, 30, 2001))
+    expected = plane[1] / 4 * side * np.trapezoid(np.cos(places) ** (1 + power), places)
+    assert force(arc, shape, f"0, 0, 0, 0, 1, 0, {30 * radius}", depth) == pytest.approx(expected, rel=2e-3)
+
+
 def test_the_force_does_not_depend_on_where_it_is_in_the_mesh(run):
     """In the middle of an element, near a node, at a node."""
     runs = [run(crossing(3e-7, shift), name=f"at{i}")[1] for i, shift in enumerate((0, 1e-3, 1.9999e-3))]
