@@ -271,9 +271,8 @@ module litz_contact_points
       type(contact_point_t), allocatable :: line_points(:), converged_line_points(:)
       integer :: last_id = 0
       type(left_dents_t) :: left_dents
-      !> How often the shares of line contacts have been renewed in this increment
-      integer :: n_settled = 0
-      integer :: n_anticipated = 0
+      !> How often shares have been renewed in this increment: of line contacts where forces balanced, and all before
+      integer :: n_settled = 0, n_anticipated = 0
       !> They have changed by little, which counts from the next increment on
       logical :: shares_wait = .false.
       !> Largest overlap of the reference configuration that an interference fit resolves, one per contact pair [m];

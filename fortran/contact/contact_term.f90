@@ -34,8 +34,8 @@ module litz_contact_term
    private
    public :: contact_term_t
 
-   !> How often an increment settles what is carried along lines at most, and the change of a share that is left alone
-   !> each time
+   !> How often an increment settles what is carried along lines at most, where forces balance, and before; and the
+   !> change of a share that is left alone each time
    integer, parameter :: max_settlings = 2, max_anticipations = 3
    real(dp), parameter :: settled_change(max_settlings) = [0.02_dp, 0.1_dp]
    !> Overlaps are known when no linear step has missed one by more than this part of the largest, and no force is left
@@ -338,6 +338,7 @@ contains
             maxval(-points%gap), maxval(-line_points%gap))) return
          if (self%contact%n_anticipated >= max_anticipations) return
          self%contact%n_anticipated = self%contact%n_anticipated + 1
+         ! each one as if it were the first; where forces balance all have been one
          self%contact%n_settled = 0
          call self%settle(domain, has_moved)
          self%contact%n_settled = 1

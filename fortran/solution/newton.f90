@@ -60,7 +60,7 @@ contains
       type(outcome_t), intent(out) :: outcome
       !> What the observer ends the run for, or an input error met on the way; not: an increment that failed
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: correction(n_slots, problem%model%n_nodes)
+      real(dp) :: correction(n_slots, problem%model%n_nodes), eta
       type(error_t), allocatable :: solver_error
       character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
@@ -125,8 +125,7 @@ contains
                if (all(outcome%last%residual <= outcome%last%allowed)) exit
             end if
          end if
-         if ((max(outcome%counted, outcome%sweeps) > step%controls%i_c .and. .not. is_nearly_there(outcome)) .or. &
-            outcome%iterations >= max_iterations*step%controls%i_c) then
+         if (is_hopeless(step, outcome)) then
             call give_up(outcome, cause_iterations, worst_field(problem%model, problem%scheme%n_coupled, outcome%last))
             return
          end if
@@ -138,7 +137,8 @@ contains
             return
          end if
          call note_solve(problem, keep, outcome)
-         call update(problem, step, correction, outcome%last)
+         call update(problem, step, correction, outcome%last, eta)
+         call outcome%note_fraction(eta)
       end do
       outcome%converged = .true.
       call refuse_wrong_state(problem, outcome)
@@ -299,6 +299,19 @@ contains
       end associate
    end function keeps_factor
 
+   !> More iterations than an increment is allowed, or no hope that they would lead anywhere.
+   pure logical function is_hopeless(step, outcome)
+      type(step_t), intent(in) :: step
+      type(outcome_t), intent(in) :: outcome
+
+      associate (most => step%controls%i_c)
+         is_hopeless = max(outcome%counted, outcome%sweeps) > most .and. .not. is_nearly_there(outcome)
+         is_hopeless = is_hopeless .or. outcome%iterations >= max_iterations*most
+         ! what may not be cut goes on as long as it can
+         is_hopeless = is_hopeless .or. (outcome%leads_nowhere() .and. .not. step%direct)
+      end associate
+   end function is_hopeless
+
    !> The last iteration has brought the forces so much nearer to balance that a few more will do.
    pure logical function is_nearly_there(outcome)
       type(outcome_t), intent(in) :: outcome
@@ -368,13 +381,14 @@ contains
 
    !> `q <- q + eta dq`; terms take their own unknowns along. Prescribed motion is taken whole.
    !> Source: theory section 9.
-   subroutine update(problem, step, correction, report)
+   subroutine update(problem, step, correction, report, eta)
       type(problem_t), intent(inout) :: problem
       type(step_t), intent(in) :: step
       !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(inout) :: correction(:, :)
       type(iteration_report_t), intent(inout) :: report
-      real(dp) :: eta
+      !> Fraction of it that is taken
+      real(dp), intent(out) :: eta
       integer :: i, field
 
       if (problem%coupled_step) call take_near(problem, correction)

@@ -23,6 +23,8 @@ module litz_outcome
       !> Those that factored it until the forces first balanced: what terms then bring up to date says nothing about the
       !> size of the increment
       integer :: to_balance = 0
+      !> Linear steps of which next to nothing could be taken
+      integer, private :: short_steps = 0
       !> The group whose turn it is, iterations since its turn began, most of them in a turn, and how often groups that
       !> act back on the first ones have had theirs
       integer :: in_turn = 1, counted = 0, longest_turn = 0, sweeps = 0
@@ -57,7 +59,14 @@ module litz_outcome
       procedure :: end_turn
       procedure :: motions_have_come_far
       procedure :: note_residual
+      procedure :: note_fraction
+      procedure :: leads_nowhere
    end type outcome_t
+
+   !> A short step, and how many of them there are at most on the way to balance: an iteration that has thrown wires far
+   !> off or into each other does not come back by such, and a smaller increment is cheaper
+   real(dp), parameter :: short_step = 0.1_dp
+   integer, parameter :: max_short_steps = 4
 
    !> The turn of the motions in a sweep ends before they balance when no more than this part of their residual is left:
    !> the temperatures change it by more
@@ -100,6 +109,21 @@ contains
       self%is_astray = self%iterations > 1 .and. part > astray*max(1.0_dp, self%largest_of_transport)
       self%largest_of_transport = max(self%largest_of_transport, part)
    end subroutine note_residual
+
+   !> The part of a linear step that was taken.
+   pure subroutine note_fraction(self, eta)
+      class(outcome_t), intent(inout) :: self
+      !> At most 1
+      real(dp), intent(in) :: eta
+
+      if (eta < short_step) self%short_steps = self%short_steps + 1
+   end subroutine note_fraction
+
+   pure logical function leads_nowhere(self)
+      class(outcome_t), intent(in) :: self
+
+      leads_nowhere = self%short_steps > max_short_steps
+   end function leads_nowhere
 
    !> The residuals of the motions are a small part of the largest ones of their turn.
    pure logical function motions_have_come_far(self)

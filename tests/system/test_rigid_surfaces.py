@@ -314,6 +314,18 @@ def test_a_rod_over_a_drum_touches_it_along_an_arc_with_forces_at_its_ends(run):
     assert total - line * (to - a) == pytest.approx(2.17944947, rel=5e-3)
 
 
+def test_a_drum_pressed_into_a_wire_takes_few_iterations(run):
+    """The far field of the arc in touch is brought up to date on the way, not where forces have balanced with an earlier one."""
+    n, radius, drum = 20, 5e-4, 0.03
+    height = drum + radius
+    hold = f"*BOUNDARY\n 1, 1, 4\n {n + 1}, 2, 4\n 999, 1, 2\n 999, 4, 6\n"
+    text = wire(along_x(0.04, n), radius)
+    text += surface("CYLINDER", f"0, 0, {height}, 0, 1, 0, {drum}", (999, f"0, 0, {height}"), HERTZ) + hold
+    process, results = run(text + step("*BOUNDARY\n 999, 3, 3, -4e-3\n", "0.1, 1, 0.1, 0.1"))
+    assert process.returncode == 0, process.stderr
+    assert results.status["iterations"][1:].mean() <= 6
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("tension", "friction", "expected"), [(5, 0.1, 1.33855346), (5, 0.3, 2.42600087)])
 def test_a_rod_that_is_pulled_over_a_drum_multiplies_its_tension(run, tension, friction, expected):

@@ -57,6 +57,7 @@ program test_newton
    character(len=*), parameter :: potentials_0 = '1, 9, 9, 0'//nl//'11, 9, 9, 0'//nl
    integer :: failures = 0
 
+   call short_steps_lead_nowhere()
    call the_iteration_converges_quadratically()
    call both_couplings_find_the_same_potentials()
    call a_model_at_rest_needs_no_iteration()
@@ -66,6 +67,20 @@ program test_newton
    if (failures > 0) error stop 1
 
 contains
+
+   !> Five linear steps of which less than a tenth was taken are enough; longer ones are no sign of anything.
+   subroutine short_steps_lead_nowhere()
+      type(outcome_t) :: outcome
+      integer :: i
+
+      do i = 1, 4
+         call outcome%note_fraction(0.05_dp)
+         call outcome%note_fraction(0.2_dp)
+      end do
+      call check(.not. outcome%leads_nowhere(), 'four short steps do not end an increment')
+      call outcome%note_fraction(0.05_dp)
+      call check(outcome%leads_nowhere(), 'the fifth one does')
+   end subroutine short_steps_lead_nowhere
 
    !> The last residuals, over the forces on the wires, are each the square of the one before or less.
    subroutine the_iteration_converges_quadratically()
