@@ -139,12 +139,10 @@ module litz_contact_points
       !> How the wires are bent as the law sees it, and how that changes along them: within an iteration both stay
       type(bends_t) :: bends
       type(bends_seen_t) :: bends_seen
-      !> Energy over that of the present far field [-], and what the torque about the normal lacks for what the far
-      !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
-      !> (litz_lens_growth) [N m]
+      !> Energy over that of the present far field [-], and what the torque about the normal lacks as wires turn, over
+      !> the sine of their angle: of the whole contact as a crossing, and as places (litz_lens_growth) [N m]
       real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0
-      !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
-      !> long one
+      !> How far the wires overlap on beyond its lens, between 0 and 1: ripples of long overlaps look like short ones
       real(dp) :: long_share = 0
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
@@ -153,8 +151,9 @@ module litz_contact_points
       real(dp) :: whole_force = 0, uncut_force = 0
       !> Overlap at which these shares were found [m]; 0: nothing overlapped. While it grows little they stay
       real(dp) :: shared_overlap = 0
-      !> Of a point of a line contact: it lies in the lens of a crossing; its foot is held at the end of a wire
-      logical :: in_lens = .false., foot_at_end = .false.
+      !> Of a point of a line contact: it lies in the lens of a crossing; its foot is held at the end of a wire; of it
+      !> and of a crossing: its lens has yielded
+      logical :: in_lens = .false., foot_at_end = .false., lens_has_dent = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
       integer :: line_place = 0
       !> Of a point of a line contact between conductors: the part of the wire for which it stands, and whether the
@@ -433,6 +432,7 @@ contains
       point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
       point%in_lens = earlier%in_lens
+      point%lens_has_dent = earlier%lens_has_dent
       point%spot_section = earlier%spot_section
       point%kept_overlap = earlier%kept_overlap
       point%deepest = earlier%deepest

@@ -96,8 +96,10 @@ contains
       type(bent_crossing_t) :: straight
 
       point%law_angle = merge(point%lens%angle, point%kinematics%angle, is_cut(point%lens))
+      ! of wires that run opposite ways the smaller one
+      point%law_angle = min(point%law_angle, pi - point%law_angle)
       ! wires that are parallel may well meet end to end
-      if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
+      if (any(point%held)) point%law_angle = max(least_sine, point%law_angle)
       point%law_sine = sin(point%law_angle)
       point%bends%ratio = 1
       point%bends%as_equal = .false.
@@ -225,6 +227,7 @@ contains
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
             call settle_angle(point)
+            point%lens_has_dent = point%dent_depth > 0
             if (point%gap < 0) then
                earlier = point
                call settle_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
@@ -314,6 +317,7 @@ contains
          point%deepest = 0
          point%lens_depth = 0
          point%in_lens = .false.
+         point%lens_has_dent = .false.
          point%shared_overlap = huge(d)
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
@@ -442,6 +446,7 @@ contains
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap
       point%deepest = crossing%deepest
+      point%lens_has_dent = crossing%lens_has_dent
       ! of straight wires slope^2/(2 bend), on one that bends not so
       point%lens_depth = max(0.0_dp, point%gap - crossing%gap)
       point%spot_section = max(point%spot_section, share_of_kept(crossing, huge(radius), radius))

@@ -34,8 +34,8 @@ contains
             law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
             point%settled = 0
             if (.not. law%yields() .or. point%predecessor == 0) cycle
-            ! what is elastic dissipates nothing
-            if (.not. point%dent_depth > 0) cycle
+            ! a lens that is elastic dissipates nothing; one that has yielded hands energy to places that have not
+            if (.not. (point%dent_depth > 0 .or. point%lens_has_dent)) cycle
             if (point%line_place == 0 .and. .not. is_lens(law, point)) cycle
             associate (before => converged(point%predecessor))
                there = point
@@ -45,7 +45,8 @@ contains
                there%predicted = .false.
                there%yielded = 0
                if (there(1)%gap < 0) call apply_normal_law(model, elements, there)
-               point%settled = before%at_gap%energy
+               ! what the growth of the lens has changed of the energy is held, too
+               point%settled = before%energy_ratio*before%at_gap%energy + (1 - point%energy_ratio)*point%at_gap%energy
                if (there(1)%gap < 0) point%settled = point%settled - there(1)%at_gap%energy - there(1)%yielded
             end associate
          end associate

@@ -86,6 +86,7 @@ contains
       call table%field('kept_overlap', point%kept_overlap)
       call table%field('deepest', point%deepest)
       call table%field('lens_depth', point%lens_depth)
+      call table%field('lens_has_dent', point%lens_has_dent)
       call table%field('lens_share', point%lens_share)
       call table%field('lens_sine', point%lens_sine)
       call table%field('lens_quality_bar', point%lens_quality(1))
