@@ -4,9 +4,10 @@
 !> energy of a contact is what its force has done from first touch on, while the lens grew and the section of the wires
 !> came to count: `Pi(delta, psi)`. That of the crossing and of its places is their own, at the present far field, times
 !> the ratio `Pi/Pi_0` of the whole lens. What `Pi_psi` is more than their torques is one more torque about the normal,
-!> which stays within an iteration, too.
+!> which stays within an iteration, too. Metal that has yielded has no such growth: a dent keeps the far field with
+!> which it was made. Of places in a dent the torque is the sum of theirs.
 !>
-!> Source: theory (10.16a) and (10.16b).
+!> Source: theory (10.16a), (10.16b) and (15.23).
 module litz_lens_growth
    use litz_kinds, only: dp
    use litz_bent_contacts, only: bends_of, is_bent, qualities_of
@@ -93,7 +94,9 @@ contains
       end do
       of_growth = (grown(1) - grown(-1))/(2*change)
       point%lacking_torque = growing*of_growth/sine
-      point%lacking_torque_of_places = growing*(point%lacking_torque_of_places + of_growth)/sine &
+      ! of places in a dent that of their law is the sum of theirs
+      if (point%lens_has_dent) point%lacking_torque_of_places = 0
+      point%lacking_torque_of_places = (point%lacking_torque_of_places + growing*of_growth)/sine &
          *(1 - smooth_step((reach - grows_up_to)/(line_from - grows_up_to)))
    end subroutine settle_growth
 
@@ -116,7 +119,8 @@ contains
    elemental logical function lacks_torque(point)
       type(contact_point_t), intent(in) :: point
 
-      lacks_torque = point%gap < 0 .and. any(abs([point%lacking_torque, point%lacking_torque_of_places]) > 0)
+      lacks_torque = point%gap < 0 .and. any(abs([point%lacking_torque, &
+         point%lacking_torque_of_places, point%torque_of_dents]) > 0)
    end function lacks_torque
 
    !> What the torques of a crossing and of the places in its lens lack. Over the sine of the angle they stay, so that
@@ -129,7 +133,7 @@ contains
 
       if (point%gap >= 0) return
       over_sine = point%weight*point%lacking_torque &
-         + (1 - point%weight)*(1 - point%long_share)*point%lacking_torque_of_places
+         + (1 - point%weight)*(1 - point%long_share)*point%lacking_torque_of_places + point%torque_of_dents
       turning%denergy = over_sine*sin(angle)
       turning%d2energy = over_sine*cos(angle)
    end function settled_turning
