@@ -34,11 +34,12 @@ contains
             if (.not. (dissipated > least .and. abs(left_over) > max(least, allowed_part*dissipated))) return
          end associate
          label = problem%model%units%after('J')
-         call problem%warnings%add('energy_balance', 'work of '//to_text(abs(left_over))//label//' is in no energy,' &
-            //' '//to_text(100*abs(left_over)/dissipated)//' % of the '//to_text(dissipated)//label//' that'// &
-            ' friction and yielding have dissipated: forces change too much within an increment, and smaller ones'// &
-            ' (first value of the procedure, with *STATIC, DIRECT or the fourth) tell whether results depend on'// &
-            ' them; *ENERGY PRINT has the energies', value=100*abs(left_over)/dissipated, unit='%')
+         call problem%warnings%add('energy_balance', 'work of '//to_text(abs(left_over))//label//' is in no energy,'// &
+            ' '//to_text(100*abs(left_over)/dissipated)//' % of the '//to_text(dissipated)//label//' that'// &
+            ' friction and yielding have dissipated: forces change too much within an increment, of which the work'// &
+            ' is that of their mean, or a law of contact has reached its limits. Smaller increments (first and'// &
+            ' fourth value of the procedure) tell; *ENERGY PRINT has the energies', &
+            value=100*abs(left_over)/dissipated, unit='%')
       end associate
    end subroutine add_energy_balance
 
