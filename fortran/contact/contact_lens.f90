@@ -89,7 +89,8 @@ contains
       real(dp) :: cosine, of_lens, slope_of_lens, curvature_of_lens
       type(bent_crossing_t) :: straight
 
-      slope = 1
+      ! the smaller one between straight wires
+      slope = sign(1.0_dp, cos(point%kinematics%angle))
       curvature = 0
       if (is_bent(point)) then
          straight = bends_of(point, point%kinematics%angle)

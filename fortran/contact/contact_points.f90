@@ -124,8 +124,9 @@ module litz_contact_points
       !> Of a point of a line contact: share of the contact that is carried along the line there
       real(dp) :: line_share = 0
       !> Angle that the law sees [rad], and its sine, which the curvature of the wires can make greater than 1: of the
-      !> axes, or of straight wires whose lens of overlap is as long (litz_line_kinematics)
-      real(dp) :: law_angle = 0, law_sine = 0
+      !> axes, or of straight wires whose lens of overlap is as long (litz_line_kinematics); what metal that yields
+      !> held in the last converged state [J], and the angle of that [rad]
+      real(dp) :: law_angle = 0, law_sine = 0, held_energy = 0, held_angle = 0
       !> Sine of straight wires whose lens of overlap is as long as that of this crossing, how much it counts beside the
       !> angle of the axes, and how much the section of the wires counts, both between 0 and 1
       real(dp) :: lens_sine = 0, lens_share = 0, section_share = 0
@@ -136,15 +137,13 @@ module litz_contact_points
       !> long as the contact is on them (barred, unbarred), with this share [-]: within an iteration they stay
       integer :: angle_element(2) = 0
       real(dp) :: fixed_share = 0, angle_at(2) = 0
-      !> How the wires are bent as the law sees it, and how that changes along them: within an iteration both stay
+      !> How the wires are bent as the law sees it, and how that changes along them: both stay within an iteration
       type(bends_t) :: bends
       type(bends_seen_t) :: bends_seen
-      !> Energy over that of the present far field [-], and what the torque about the normal lacks for what the far
-      !> field does as wires turn, over the sine of their angle: of the whole contact as a crossing, and as places
-      !> (litz_lens_growth) [N m]
-      real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0
-      !> How far the wires overlap on beyond its lens, between 0 and 1: what looks like a short overlap is a ripple of a
-      !> long one
+      !> Energy over that of the present far field [-], and what the torque about the normal lacks as wires turn, over
+      !> the sine of their angle: as a crossing, as places, and of places in its dent (litz_lens_growth) [N m]
+      real(dp) :: energy_ratio = 1, lacking_torque = 0, lacking_torque_of_places = 0, torque_of_dents = 0
+      !> How far the wires overlap on beyond its lens, between 0 and 1: ripples of long overlaps look like short ones
       real(dp) :: long_share = 0
       !> How much the section counts in what it conducts, that of its largest lens if spots are remembered; and the
       !> deepest overlap of that lens [m], of a point of a line contact that of the crossing in whose lens it lies
@@ -153,8 +152,9 @@ module litz_contact_points
       real(dp) :: whole_force = 0, uncut_force = 0
       !> Overlap at which these shares were found [m]; 0: nothing overlapped. While it grows little they stay
       real(dp) :: shared_overlap = 0
-      !> Of a point of a line contact: it lies in the lens of a crossing; its foot is held at the end of a wire
-      logical :: in_lens = .false., foot_at_end = .false.
+      !> Of a point of a line contact: it lies in the lens of a crossing; its foot is held at the end of a wire; of it
+      !> and of a crossing: its lens has yielded
+      logical :: in_lens = .false., foot_at_end = .false., lens_has_dent = .false.
       !> Point of a line contact: its place on the unbarred wire, see litz_line_places; 0: the wires cross here
       integer :: line_place = 0
       !> Of a point of a line contact between conductors: the part of the wire for which it stands, and whether the
@@ -170,16 +170,14 @@ module litz_contact_points
       !> The last iteration predicted the gap and the force of this point [m, N]
       logical :: predicted = .false.
       real(dp) :: predicted_gap = 0, mixed_force = 0
-      !> Overlap of the reference configuration that an interference fit resolves here [m], in the gap as far as it is
-      !> left; 0: this crossing has none
+      !> Overlap of the reference configuration that an interference fit resolves here [m], in the gap as far as left
       real(dp) :: fit = 0
       !> Overlap beyond which wires that have yielded touch in their dent [m]; what their contact is at the present gap,
       !> of which all is 0 where there is no force; what this increment has dissipated by yielding, and by shares [J]
       real(dp) :: dent_depth = 0
       type(yielding_state_t) :: yielding
       real(dp) :: yielded = 0, settled = 0
-      !> Force of wires that yield whose dent is felt at the present angle: of a crossing [N], of a point of a line per
-      !> length [N/m]
+      !> Force whose dent wires that yield feel at the present angle: of a crossing [N], of a place per length [N/m]
       real(dp) :: felt_force = 0
       !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
       !> lens the same, and how much deeper the lens is than the place [m]
@@ -433,6 +431,7 @@ contains
       point%cell%reach = earlier%cell%reach
       point%section_share = earlier%section_share
       point%in_lens = earlier%in_lens
+      point%lens_has_dent = earlier%lens_has_dent
       point%spot_section = earlier%spot_section
       point%kept_overlap = earlier%kept_overlap
       point%deepest = earlier%deepest
@@ -448,6 +447,7 @@ contains
       point%energy_ratio = earlier%energy_ratio
       point%lacking_torque = earlier%lacking_torque
       point%lacking_torque_of_places = earlier%lacking_torque_of_places
+      point%torque_of_dents = earlier%torque_of_dents
       point%law_angle = earlier%law_angle
       point%law_sine = earlier%law_sine
       point%lens = earlier%lens

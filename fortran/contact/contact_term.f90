@@ -24,7 +24,7 @@ module litz_contact_term
    use litz_normal_forces, only: apply_normal_law
    use litz_dents, only: follow_dents, find_left_dents, keep_left_dents, work_of_slides
    use litz_refused_contacts, only: refused_contact
-   use litz_settled_dents, only: settle_dents
+   use litz_settled_dents, only: settle_dents, remember_energies
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
    use litz_term, only: term_t, status_t
@@ -426,6 +426,8 @@ contains
          call follow_dents(domain%model, domain%wires, domain%elements, contact%points)
          call follow_dents(domain%model, domain%wires, domain%elements, contact%line_points)
          call capture_contacts(domain%model, domain%elements, contact, domain%state)
+         call remember_energies(contact%points)
+         call remember_energies(contact%line_points)
          if (contact%shares_wait) then
             call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
                contact, unused_change)

@@ -11,7 +11,6 @@ module litz_dents
    use litz_element_library, only: elements_t
    use litz_hertz, only: hertz_ellipse_t, hertz_ellipse, hertz_ok
    use litz_law_input, only: earlier_dent_t, wire_pair_t
-   use litz_lens_law, only: smooth_step
    use litz_model, only: model_t
    use litz_normal_forces, only: apply_normal_law, is_lens, line_of_point, wires_of
    use litz_normal_law, only: normal_law_t
@@ -20,15 +19,13 @@ module litz_dents
    use litz_wires, only: wires_t, arc_from_to
    use litz_yielding_lens, only: yielding_lens_t
    use litz_yielding_spot, only: dent_t
-   use litz_yielding_wires, only: depth_of_lens, lens_of_wires, place_of_wires
+   use litz_yielding_wires, only: depth_of_lens, lens_of_wires, part_yielded, place_of_wires
    implicit none
    private
    public :: follow_dents, find_left_dents, keep_left_dents, work_of_slides
 
    !> A contact whose force is this part of what it felt lies in its dent, not on top of it but for round-off
    real(dp), parameter :: below_top = 1 - 1.0e-6_dp
-   !> Depth of a dent over the overlap that made it, from which on metal has yielded as a whole
-   real(dp), parameter :: yielded = 0.25_dp
 
 contains
 
@@ -226,14 +223,14 @@ contains
          dent%overlap = dent%left*dent%overlap
          dent%arc = [point%arc_bar, point%arc]
          dent%left = 1
-         dent%section_share = point%section_share*part_yielded(law, pair, dent, point)
+         dent%section_share = point%section_share*part_of(law, pair, dent, point)
       end if
       dent%overlap = max(dent%overlap, -point%gap)
       dent%felt = felt_here(law, pair, point, dent)
    end subroutine follow_dent
 
    !> Metal that has yielded keeps its far field, what is elastic does not: by the depth of the dent [-].
-   pure real(dp) function part_yielded(law, pair, dent, point) result(part)
+   pure real(dp) function part_of(law, pair, dent, point) result(part)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(dent_memory_t), intent(in) :: dent
@@ -242,9 +239,8 @@ contains
 
       there = point
       call show_dent(law, pair, dent, there)
-      part = 0
-      if (there%deepest > 0) part = smooth_step(there%dent/(yielded*there%deepest))
-   end function part_yielded
+      part = part_yielded(there%dent, there%deepest)
+   end function part_of
 
    !> Force of a dent that is felt at the present angle [N], of a place of a line per length [N/m].
    pure real(dp) function felt_here(law, pair, point, dent) result(felt)

@@ -4,9 +4,10 @@
 !> energy of a contact is what its force has done from first touch on, while the lens grew and the section of the wires
 !> came to count: `Pi(delta, psi)`. That of the crossing and of its places is their own, at the present far field, times
 !> the ratio `Pi/Pi_0` of the whole lens. What `Pi_psi` is more than their torques is one more torque about the normal,
-!> which stays within an iteration, too.
+!> which stays within an iteration, too. Metal that has yielded has no such growth: a dent keeps the far field with
+!> which it was made. Of places in a dent the torque is the sum of theirs.
 !>
-!> Source: theory (10.16a) and (10.16b).
+!> Source: theory (10.16a), (10.16b) and (15.23).
 module litz_lens_growth
    use litz_kinds, only: dp
    use litz_bent_contacts, only: bends_of, is_bent, qualities_of
@@ -22,6 +23,9 @@ module litz_lens_growth
    use litz_line_law, only: line_wires_t, line_wires
    use litz_normal_law, only: normal_law_t
    use litz_shares_at_ends, only: share_at_crossing
+   use litz_turned_lenses, only: line_of_point
+   use litz_yielding_lens, only: yielding_lens_t
+   use litz_yielding_wires, only: depth_of_lens, lens_of_wires, part_yielded
    implicit none
    private
    public :: settle_growth, settled_turning, lacks_torque
@@ -51,14 +55,14 @@ contains
       type(turned_lens_t) :: now, turned
       type(line_wires_t) :: line
       type(lens_t) :: lens
-      real(dp) :: sine, longest, reach, change, kept, of_growth, by_angle, grown(-1:1), unused
+      real(dp) :: sine, longest, reach, change, kept, of_growth, by_angle, grown(-1:1), unused, growing
       integer :: side
 
       point%energy_ratio = 1
       point%lacking_torque = 0
       point%lacking_torque_of_places = 0
       ! a penalty does not depend on the far field
-      if (law%is_straight .or. law%yields()) return
+      if (law%is_straight) return
       if (any(point%held) .or. is_cut(point%lens) .or. .not. point%gap < 0) return
       if (.not. has_lens(point)) return
       longest = deepest*minval(point%radius)
@@ -66,6 +70,8 @@ contains
       ! short lenses that crossings carry have the energy of the ellipse
       if (share_of_line((1 + small_turn)*reach) <= 0 .and. point%weight >= 1 .and. .not. (point%lens_share > 0 .and. &
          point%lens_share < 1)) return
+      growing = 1 - part_that_yielded(law, pair, point)
+      if (.not. growing > 0) return
       now = lens_at(pair, point, point%kinematics%angle, point%lens_share)
       sine = sin(point%kinematics%angle)
       if (.not. sine > 0) return
@@ -80,22 +86,41 @@ contains
          end associate
          grown(side) = grown_energy(turned%line, point%gap, turned%law_sine, reach*now%sine/turned%sine, longest) - kept
          if (side /= 0) cycle
-         if (kept > 0) point%energy_ratio = 1 + grown(0)/kept
+         if (kept > 0) point%energy_ratio = 1 + growing*grown(0)/kept
          lens = lens_force(line, point%gap, turned%law_sine, 0.0_dp)
          ! as the wires turn, the overlap of a place at u aW from the middle changes by -2 delta u^2 ds/s
          point%lacking_torque_of_places = by_angle*now%law_slope - 2*point%gap*now%slope/now%sine*lens%half_length &
             *dot_product(gauss_weight*(1 - gauss_depth), lens%along%force)
       end do
       of_growth = (grown(1) - grown(-1))/(2*change)
-      point%lacking_torque = of_growth/sine
-      point%lacking_torque_of_places = (point%lacking_torque_of_places + of_growth)/sine &
+      point%lacking_torque = growing*of_growth/sine
+      ! of places in a dent that of their law is the sum of theirs
+      if (point%lens_has_dent) point%lacking_torque_of_places = 0
+      point%lacking_torque_of_places = (point%lacking_torque_of_places + growing*of_growth)/sine &
          *(1 - smooth_step((reach - grows_up_to)/(line_from - grows_up_to)))
    end subroutine settle_growth
+
+   !> How far a crossing of metal that yields has done so: a dent keeps the far field with which it was made.
+   pure real(dp) function part_that_yielded(law, pair, point) result(part)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      type(contact_point_t) :: there
+      type(yielding_lens_t) :: lens
+
+      part = 0
+      if (.not. (law%yields() .and. point%history%dent%force > 0)) return
+      there = point
+      there%line = line_of_point(pair, point)
+      lens = lens_of_wires(law, pair, there)
+      part = part_yielded(depth_of_lens(lens), lens%deepest)
+   end function part_that_yielded
 
    elemental logical function lacks_torque(point)
       type(contact_point_t), intent(in) :: point
 
-      lacks_torque = point%gap < 0 .and. any(abs([point%lacking_torque, point%lacking_torque_of_places]) > 0)
+      lacks_torque = point%gap < 0 .and. any(abs([point%lacking_torque, &
+         point%lacking_torque_of_places, point%torque_of_dents]) > 0)
    end function lacks_torque
 
    !> What the torques of a crossing and of the places in its lens lack. Over the sine of the angle they stay, so that
@@ -108,7 +133,7 @@ contains
 
       if (point%gap >= 0) return
       over_sine = point%weight*point%lacking_torque &
-         + (1 - point%weight)*(1 - point%long_share)*point%lacking_torque_of_places
+         + (1 - point%weight)*(1 - point%long_share)*point%lacking_torque_of_places + point%torque_of_dents
       turning%denergy = over_sine*sin(angle)
       turning%d2energy = over_sine*cos(angle)
    end function settled_turning

@@ -271,7 +271,7 @@ contains
       logical, intent(in) :: is_new
       type(contact_point_t), intent(inout) :: point
       real(dp) :: xe(3, 4), t(3, 4), length(2)
-      integer :: info
+      integer :: info, unused_crossing
 
       associate (radius => elements%radius([point%element_bar, point%element]))
          call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
@@ -285,7 +285,8 @@ contains
       point%foot_at_end = foot%status == foot_at_end
       call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
-      if (is_new .or. has_grown(point)) call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
+      if (is_new .or. has_grown(point)) call share_line_point(wires, elements, contact, sorted, xe, t, length, point, &
+         unused_crossing)
       if (has_strip(model, elements, point)) call set_cell(line_course(xe, t, length, axis_hermite, point%foot_at_end, &
          point%kinematics), point)
       if (.not. may_matter(point)) deallocate (point%kinematics%rows)

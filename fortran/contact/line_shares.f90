@@ -26,9 +26,10 @@ module litz_line_shares
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
    use litz_settled_angles, only: settle_angle
-   use litz_share_changes, only: change_of_cut, change_of_energies, change_of_law
+   use litz_share_changes, only: change_of_cut, change_of_cylinders, change_of_energies, change_of_law
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_at_crossing, half_pass, &
       least_sine
+   use litz_turned_places, only: add_torque_of_place
    use litz_wires, only: wires_t
    implicit none
    private
@@ -93,8 +94,10 @@ contains
       type(bent_crossing_t) :: straight
 
       point%law_angle = merge(point%lens%angle, point%kinematics%angle, is_cut(point%lens))
+      ! of wires that run opposite ways the smaller one
+      point%law_angle = min(point%law_angle, pi - point%law_angle)
       ! wires that are parallel may well meet end to end
-      if (any(point%held)) point%law_angle = max(least_sine, min(pi - least_sine, point%law_angle))
+      if (any(point%held)) point%law_angle = max(least_sine, point%law_angle)
       point%law_sine = sin(point%law_angle)
       point%bends%ratio = 1
       point%bends%as_equal = .false.
@@ -215,22 +218,23 @@ contains
       real(dp) :: xe(3, 4), t(3, 4), length(2), before
       type(contact_point_t) :: earlier
       type(changes_of_bends_t) :: bends
-      integer :: i
+      integer :: i, crossing
 
       largest_change = 0
       sorted = sort_crossings(wires, contact%points)
       call find_long_overlaps(wires, elements, sorted, contact)
       do i = 1, size(contact%points)
-         associate (point => contact%points(i))
+         associate (point => contact%points(i), law => model%interactions(model%contact_pairs( &
+            contact%points(i)%pair)%interaction)%normal)
             call settle_angle(point)
+            point%lens_has_dent = point%dent_depth > 0
+            point%torque_of_dents = 0
             if (point%gap < 0) then
                earlier = point
-               call settle_bends(model, wires, elements, x, rotation, model%interactions(model%contact_pairs( &
-                  point%pair)%interaction)%normal, point)
+               call settle_bends(model, wires, elements, x, rotation, law, point)
                call bends%note(earlier, point)
             end if
-            if (serves_lines(model, point%pair)) call settle_growth(model%interactions(model%contact_pairs( &
-               point%pair)%interaction)%normal, wires_of(model, elements, point), point)
+            if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
          end associate
       end do
       largest_change = bends%largest()
@@ -238,9 +242,10 @@ contains
          associate (point => contact%line_points(i))
             before = point%weight
             call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
-            call share_line_point(wires, elements, contact, sorted, xe, t, length, point)
-            if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before) &
-               /contact%places%length(point%line_place))
+            call share_line_point(wires, elements, contact, sorted, xe, t, length, point, crossing)
+            if (point%lens_has_dent) call add_torque_of_place(model, elements, point, contact%points(crossing))
+            if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before)/contact%places%length( &
+               point%line_place))
          end associate
       end do
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
@@ -253,7 +258,7 @@ contains
             largest_change = max(largest_change, change_of_cut(earlier%lens, point%lens))
             associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
                if (point%shared_overlap > 0) call reshare_crossing(law, wires, elements, contact, by_place, point)
-               largest_change = max(largest_change, abs(share_of_cylinders(point) - share_of_cylinders(earlier)))
+               largest_change = max(largest_change, change_of_cylinders(earlier, point))
                if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
                if (is_cut(point%lens)) then
                   call set_angle_of_axes(point)
@@ -267,19 +272,12 @@ contains
       end do
    end subroutine renew_shares
 
-   !> Of a crossing, what places along the wires leave it.
-   pure real(dp) function share_of_cylinders(point) result(share)
-      type(contact_point_t), intent(in) :: point
-
-      share = point%weight*point%lens%share(1, 1)
-   end function share_of_cylinders
-
    !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
    !> nothing where one wire runs into the other.
    !>
    !> Along the wire of the place the distance to the other is `D(s) = D + t s + k s^2/2`, which is below the sum of the
    !> radii over a half length `aW = sqrt(2 (delta + t^2/(2 k))/k)`: for straight wires that of their crossing.
-   pure subroutine share_line_point(wires, elements, contact, sorted, xe, tangents, length, point)
+   pure subroutine share_line_point(wires, elements, contact, sorted, xe, tangents, length, point, crossing)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       !> With the crossings, and these along their wires
@@ -288,10 +286,13 @@ contains
       !> Nodal positions (3, 4) [m] and tangents (3, 4), reference lengths (2) [m]: element of the foot first
       real(dp), intent(in) :: xe(3, 4), tangents(3, 4), length(2)
       type(contact_point_t), intent(inout) :: point
+      !> In whose lens it may lie, or 0
+      integer, intent(out) :: crossing
       type(line_profile_t) :: profile
       real(dp) :: tilt, reach, distance, rate, of_length, of_lap(2), part
-      integer :: i, legs(2)
+      integer :: legs(2)
 
+      crossing = 0
       profile = line_profile(xe, tangents, length, axis_hermite, point%xi_bar, point%xi, point%kinematics%normal, &
          point%kinematics%distance)
       associate (d => point%kinematics%distance, bend => profile%bend, quality => profile%quality, &
@@ -312,6 +313,7 @@ contains
          point%deepest = 0
          point%lens_depth = 0
          point%in_lens = .false.
+         point%lens_has_dent = .false.
          point%shared_overlap = huge(d)
          if (bend > 0 .or. tilt > 0) then
             ! to where the wires are nearest; of a wedge, as far as one reaches that counts
@@ -322,10 +324,13 @@ contains
                   + 2*spacing_of_places(contact%places, pair, length)
             end if
             ! what is up to twice as far becomes another overlap
-            call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, i, distance, legs)
-            if (i > 0) then
-               call share_with(contact%points(i), legs, 2 - distance/reach, bend, contact%places, elements, point)
-               if (point%line_share < 1) point%shared_overlap = max(0.0_dp, -contact%points(i)%gap)
+            call sorted%find_nearest(wires, 2*reach, 2*reach + 2*sum(elements%radius(pair)), point, crossing, &
+               distance, legs)
+            if (crossing > 0) then
+               associate (of => contact%points(crossing))
+                  call share_with(of, legs, 2 - distance/reach, bend, contact%places, elements, point)
+                  if (point%line_share < 1) point%shared_overlap = max(0.0_dp, -of%gap)
+               end associate
             else if (bend > 0) then
                if (-point%gap + tilt**2/(2*bend) <= 0) then
                   point%line_share = 0
@@ -440,6 +445,7 @@ contains
       if (.not. point%in_lens) return
       point%kept_overlap = crossing%kept_overlap
       point%deepest = crossing%deepest
+      point%lens_has_dent = crossing%lens_has_dent
       ! of straight wires slope^2/(2 bend), on one that bends not so
       point%lens_depth = max(0.0_dp, point%gap - crossing%gap)
       point%spot_section = max(point%spot_section, share_of_kept(crossing, huge(radius), radius))

@@ -14,7 +14,7 @@ module litz_settled_dents
    use litz_normal_forces, only: apply_normal_law, is_lens
    implicit none
    private
-   public :: settle_dents
+   public :: settle_dents, remember_energies
 
 contains
 
@@ -34,22 +34,31 @@ contains
             law => model%interactions(model%contact_pairs(points(i)%pair)%interaction)%normal)
             point%settled = 0
             if (.not. law%yields() .or. point%predecessor == 0) cycle
-            ! what is elastic dissipates nothing
-            if (.not. point%dent_depth > 0) cycle
+            ! a lens that is elastic dissipates nothing; one that has yielded hands energy to places that have not
+            if (.not. (point%dent_depth > 0 .or. point%lens_has_dent)) cycle
             if (point%line_place == 0 .and. .not. is_lens(law, point)) cycle
             associate (before => converged(point%predecessor))
                there = point
                there%gap = before%gap
-               there%law_angle = before%law_angle
+               there%law_angle = before%held_angle
                there%law_sine = before%law_sine
                there%predicted = .false.
                there%yielded = 0
                if (there(1)%gap < 0) call apply_normal_law(model, elements, there)
-               point%settled = before%at_gap%energy
+               ! what the growth of the lens has changed of the energy is held, too
+               point%settled = before%held_energy + (1 - point%energy_ratio)*point%at_gap%energy
                if (there(1)%gap < 0) point%settled = point%settled - there(1)%at_gap%energy - there(1)%yielded
             end associate
          end associate
       end do
    end subroutine settle_dents
+
+   !> What contacts of a converged state hold, before their shares are brought up to date for the next increment.
+   elemental subroutine remember_energies(point)
+      type(contact_point_t), intent(inout) :: point
+
+      point%held_energy = point%energy_ratio*point%at_gap%energy
+      point%held_angle = point%law_angle
+   end subroutine remember_energies
 
 end module litz_settled_dents

@@ -5,7 +5,7 @@ module litz_share_changes
    use litz_cut_lens, only: cut_lens_t
    implicit none
    private
-   public :: change_of_cut, change_of_energies, change_of_law
+   public :: change_of_cut, change_of_cylinders, change_of_energies, change_of_law
 
    !> A change of the sine of a lens, relative to it, matters this much more than one of a share
    real(dp), parameter :: sine_matters = 20
@@ -27,6 +27,13 @@ contains
       change = max(change, maxval(abs(lens%share - earlier%share)), maxval(abs(lens%bend/earlier%bend - 1)), &
          abs(lens%cosine - earlier%cosine))
    end function change_of_cut
+
+   !> How much what places along the wires leave of a crossing has changed.
+   pure real(dp) function change_of_cylinders(earlier, point) result(change)
+      type(contact_point_t), intent(in) :: earlier, point
+
+      change = abs(point%weight*point%lens%share(1, 1) - earlier%weight*earlier%lens%share(1, 1))
+   end function change_of_cylinders
 
    !> How much the energies of the shapes have changed, which all of the contact goes with.
    pure real(dp) function change_of_energies(earlier, lens) result(change)

@@ -7,6 +7,7 @@ module litz_yielding_wires
    use litz_contact_points, only: contact_point_t
    use litz_hertz, only: hertz_ellipse
    use litz_law_input, only: wire_pair_t
+   use litz_lens_law, only: smooth_step
    use litz_normal_law, only: normal_law_t
    use litz_yielding_lens, only: yielding_lens_t, with_dent
    use litz_yielding_line, only: yielding_line, line_dent, line_dent_t, line_state_t, line_state_at_overlap
@@ -14,7 +15,10 @@ module litz_yielding_wires
    use litz_yielding_spot, only: yielding_crossing
    implicit none
    private
-   public :: lens_of_wires, place_of_wires, depth_of_lens
+   public :: lens_of_wires, place_of_wires, depth_of_lens, part_yielded
+
+   !> Depth of a dent over the overlap that made it, from which on metal has yielded as a whole
+   real(dp), parameter :: yielded = 0.25_dp
 
 contains
 
@@ -67,5 +71,14 @@ contains
       depth = dent%depth
       if (lens%strip_share < 1) depth = min(depth, lens%dent%depth)
    end function depth_of_lens
+
+   !> How far the metal has yielded: from 0, elastic, to 1.
+   elemental real(dp) function part_yielded(depth, deepest) result(part)
+      !> Depth of the dent, and the overlap that made it [m]
+      real(dp), intent(in) :: depth, deepest
+
+      part = 0
+      if (deepest > 0) part = smooth_step(depth/(yielded*deepest))
+   end function part_yielded
 
 end module litz_yielding_wires

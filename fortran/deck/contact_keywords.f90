@@ -67,8 +67,8 @@ contains
          'CORRECTED adds the resistance neglected by the linear voltage within an'// &
          ' element', default='CORRECTED'))
       call k%add(choice('MUTUAL RESISTANCE', 'NO|YES', &
-         'YES: contacts that are near each other on one wire, within three of its radii along it, raise each'// &
-         ' other''s potential (litz extension)', default='NO'))
+         'YES: contacts that are near each other on one wire, within three of its radii along it and not across a'// &
+         ' kink (20 degrees or more at a node), raise each other''s potential (litz extension)', default='NO'))
       call k%add(choice('SUPERTEMPERATURE', 'NO|YES', &
          'YES: a spot that its current warms resists more, by the tables of its wires over the temperature, in'// &
          ' steps that solve for temperatures; NO: its resistance is that at the temperatures of its wires'// &

@@ -16,6 +16,8 @@ module litz_yielding_line
    public :: yielding_line_t, yielding_line, yielding_strip, add_crossing, line_dent_t, line_dent, line_state_t, &
       line_state_at_force, line_state_at_overlap, yielded_strip, returned_by_line, dissipated_by_line, pressure_of_strip
 
+   !> Part of an overlap that is no more than round-off
+   real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
    !> Newton stops at this relative change of the force; the error left is of the order of its square
    real(dp), parameter :: step_tolerance = 1.0e-9_dp
    integer, parameter :: max_iterations = 100
@@ -180,6 +182,8 @@ contains
       end associate
       dent%evenness = min(max(dent%evenness, 0.0_dp), 1.0_dp)
       dent%depth = dent%overlap - drop(law, dent, 0.0_dp, 1.0_dp)
+      ! at the onset a difference of equal lengths
+      if (dent%depth < round_off*dent%overlap) dent%depth = 0
    end function line_dent
 
    !> The contact at a force per length, with the dent that the largest one has made.

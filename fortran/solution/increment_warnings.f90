@@ -6,6 +6,7 @@ module litz_increment_warnings
    use litz_audit, only: audit_t, scales_t, penetration, describe_contact, allowed_imbalance, vanishing
    use litz_contact_net, only: allowed_penetration
    use litz_convergence, only: measure_scales
+   use litz_energy_warnings, only: add_energy_balance
    use litz_errors, only: error_list_t
    use litz_model, only: model_t, request_electrode
    use litz_outcome, only: outcome_t
@@ -113,6 +114,7 @@ contains
          call add_third_electrodes(problem)
          call add_not_steady(problem)
          call add_first_increment(problem)
+         call add_energy_balance(problem)
          do i = 1, size(state%contacts)
             call add_contact(problem%model, state%contacts(i), shared)
          end do

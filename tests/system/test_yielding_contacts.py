@@ -1,5 +1,6 @@
 """Crossed wires whose spots yield: the force, the spot, the dent that stays, and the energy that does not come back."""
 
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -354,6 +355,27 @@ def test_leaving_a_dent_in_one_increment_is_warned_of(run):
     for z, warned in ((1.6e-6, True), (2e-6, False)):
         _, results = run(held(to(2e-6, increments=1), to(z, increments=1), to(z, along, increments=1)))
         assert ("left_dent" in [warning.kind for warning in results.warnings]) == warned
+
+
+@pytest.mark.parametrize(("increments", "warned"), [(1, True), (4, False)])
+def test_work_that_is_in_no_energy_is_warned_of(run, increments, warned):
+    """The work of an increment is that of the mean force, which a single one of a force that grows with the power 1.3 of the
+    overlap makes 15 % too large: a quarter of what is dissipated."""
+    process, results = run(held(to(4e-6, increments=increments)))
+    assert process.returncode == 0, process.stderr
+    told = [warning for warning in results.warnings if warning.kind == "energy_balance"]
+    assert len(told) == warned
+    if warned:
+        history = results.history
+        part = 100 * abs(history["ETOTAL"][-1]) / history["ALLPD"][-1]
+        assert float(re.search(r"in no energy, (\S+) %", told[0].message)[1]) == pytest.approx(part, rel=1e-4)
+        assert told[0].message in process.stderr
+
+
+def test_elastic_wires_in_one_increment_are_not_warned_of(run):
+    """Nothing there depends on the path."""
+    _, results = run(held(to(4e-6, increments=1), behavior="*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HERTZ"))
+    assert [warning.kind for warning in results.warnings] == []
 
 
 @pytest.mark.parametrize(

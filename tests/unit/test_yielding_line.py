@@ -67,6 +67,16 @@ class TestLoading:
             assert values == pytest.approx(list(exact[:5]), rel=1e-13)
             assert found["dent"][0] == 0
 
+    @pytest.mark.parametrize("angle", ANGLES)
+    def test_the_dent_begins_with_none(self, wires, angle):
+        """A difference of equal lengths at the onset left round-off of either sign."""
+        onset = points([0.0], wires, angle=angle)[1][1]
+        at_onset = points(onset * (1 + np.arange(8) * 2.2e-16), wires, angle=angle)[0]
+        assert (at_onset["dent"] == 0).all()
+        beyond = points(onset * (1 + np.logspace(-14, -3, 60)), wires, angle=angle)[0]
+        assert (beyond["dent"] >= 0).all()
+        assert beyond["dent"][-1] > 0
+
     def test_mean_pressure_rises_to_twice_that_at_the_onset(self, wires):
         pressure, onset, _ = points([0.0], wires)[1]
         forces = onset * np.geomspace(1, 1e4, 200)

@@ -122,7 +122,7 @@ class _Spot(_Law):
         LARGEST FORCE: a spot that has been pressed stays, with the resistance of the largest force since the contact
         closed, slipped, or without friction moved by more than the spot.
     mutual_resistance : {"NO", "YES"}
-        YES: contacts that are near each other on one wire raise each other's potential.
+        YES: contacts that are near each other on one wire, not across a kink, raise each other's potential.
     supertemperature : {"NO", "YES"}
         YES: a spot that its current warms resists more, in steps that solve for temperatures.
     """
