@@ -22,6 +22,7 @@ from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
 from . import cable_charts, charts, friction_charts, network_chart, residual_charts, surface_charts, zone_charts
+from .chart_axes import ChartFigure
 from .colours import line_colours
 from .kinds import INCHES, KINDS
 from .margins import arrange, text_width
@@ -235,11 +236,11 @@ def with_increments(results: Results | str | Path) -> Results:
 def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> Figure:
     """A figure as wide as usual in inches, with the number of pixels that is wanted."""
     if pixels is None:
-        return Figure(figsize=inches, dpi=_DPI)
+        return ChartFigure(figsize=inches, dpi=_DPI)
     width, height = pixels
     if width < _MIN_PIXELS or height < _MIN_PIXELS:
         raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_MIN_PIXELS} each way")
-    return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
+    return ChartFigure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
 
 
 def title(results: Results, increment: int) -> str:

@@ -22,6 +22,7 @@ from ..base.quantities import engineering, with_unit
 from . import drawing_process
 from .colours import line_colours
 from .contact_marks import Spots
+from .needed_points import needed_points
 from .prisms import prism
 from .scene import Camera, Scene
 from .tube_mesh import Mesh, tubes
@@ -177,6 +178,8 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
     pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
     return {
         "points": tube.points, "normals": tube.normals, "triangles": tube.triangles, "colours": colours[tube.source],
+        # the inner sides of round tubes, which have round ends, are never seen
+        "outer_sides": np.array(not scene.frames),
         "mark_points": points, "mark_triangles": triangles, "mark_colours": mark_colours,
         "reference": reference,
         "reference_pieces": np.zeros((0, 2)) if pieces is None else np.delete(pieces, starts[1:-1] - 1, axis=0),
@@ -189,7 +192,9 @@ def _wires(scene: Scene, radius: np.ndarray, sides: int, least: float) -> Mesh:
     """Tubes with radii (n) at the points, and outlines that reach so far at least [m]."""
     lines = range(len(scene.starts) - 1)
     if not scene.frames:
-        return tubes(scene.points, scene.starts, radius, sides, np.float32)
+        kept, starts = needed_points(scene.points, scene.starts, radius, scene.value, scene.limits)
+        tube = tubes(scene.points[kept], starts, radius[kept], sides, np.float32)
+        return Mesh(tube.points, tube.normals, kept[tube.source], tube.triangles)
     rows = {line: np.arange(scene.starts[line], scene.starts[line + 1]) for line in lines}
     meshes = [(rows[line], prism(scene.points[rows[line]], frames, least)) for line, frames in scene.frames.items()]
     is_round = [rows[line] for line in lines if line not in scene.frames]
