@@ -25,7 +25,7 @@ from . import cable_charts, charts, friction_charts, network_chart, residual_cha
 from .chart_axes import ChartFigure
 from .colours import line_colours
 from .kinds import INCHES, KINDS
-from .margins import arrange, text_width
+from .margins import arrange, place_label, text_width
 from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, render
 
@@ -297,6 +297,7 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
         # the name of a scale stays within its share
         size = float(mpl.rcParams["font.size"])
         bar.set_label(text, size=size * min(1.0, room / text_width(text, size)))
+        place_label(bar_axes.xaxis, 0.0)
         bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
