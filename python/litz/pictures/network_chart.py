@@ -12,6 +12,7 @@ from ..base.quantities import engineering, label, with_unit
 from ..results import Results
 from ..results.network import ContactNetwork, contact_network
 from .chart_tools import has_force, wire_names
+from .colours import scalar_colours, without_value
 from .margins import bar_beside
 
 _WIDEST_LINE = 7.0
@@ -34,7 +35,8 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     n_wires = len(graph.wire_length)
     by = "current" if graph.current.any() else "force"
     pairs, size = between_wires(graph, by)
-    places = turned(layout(n_wires, pairs), graph.wire_potential)
+    known = np.isfinite(graph.wire_potential)
+    places = turned(layout(n_wires, pairs), np.where(known, graph.wire_potential, 0.0))
     axes = figure.add_subplot()
     axes.set_axis_off()
     _draw_lines(axes, places, pairs, size)
@@ -46,7 +48,8 @@ def network(figure: Figure, results: Results, increment: int) -> None:
         f"Contact network at time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}: {counts}",
         x=0.015, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
-    axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
+    grey = "" if known.all() else f"; {without_value('potential')}"
+    axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts{grey}",
                    fontsize="small", fontweight="normal", color="#404040")  # fmt: skip
 
 
@@ -155,12 +158,13 @@ def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: li
     touching = np.bincount(graph.wires.ravel(), minlength=n)
     largest = 420 if n <= _MAX_NAMES else 160
     area = largest * (0.35 + 0.65 * touching / max(touching.max(), 1))
-    has_voltage = np.ptp(graph.wire_potential) > 0
-    factor, unit = engineering(graph.wire_potential, unit_of_voltage)
+    known = graph.wire_potential[np.isfinite(graph.wire_potential)]
+    has_voltage = np.ptp(known) > 0
+    factor, unit = engineering(known, unit_of_voltage)
     value = factor * graph.wire_potential
     dots = axes.scatter(
-        *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap="viridis" if has_voltage else None,
-        edgecolors="white", linewidths=1.0, zorder=2,
+        *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap=scalar_colours("viridis") if has_voltage else None,
+        edgecolors="white", linewidths=1.0, zorder=2, plotnonfinite=True,
     )  # fmt: skip
     if has_voltage:
         bar = bar_beside([axes], dots)
@@ -173,7 +177,7 @@ def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: li
                 axes.annotate(names[wire], (x, y), xytext=(0, -_BELOW * np.sqrt(area[wire])), textcoords="offset points",
                               ha="center", va="top", fontsize="small", zorder=3, color="#1b1b1b", bbox=_PLATE)  # fmt: skip
                 continue
-            bright = has_voltage and mpl.colors.Normalize(value.min(), value.max())(value[wire]) > 0.6
+            bright = has_voltage and mpl.colors.Normalize(np.nanmin(value), np.nanmax(value))(value[wire]) > 0.6
             axes.annotate(names[wire], (x, y), ha="center", va="center", fontsize="small", zorder=3,
                           color="#1b1b1b" if bright else "white")  # fmt: skip
     axes.margins(0.08)

@@ -300,6 +300,8 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
         place_label(bar_axes.xaxis, 0.0)
         bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
+    if scene.grey_text:
+        notes.append(scene.grey_text)
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
         notes.append("grey: undeformed axes")
     if drawn is None and scene.frames:

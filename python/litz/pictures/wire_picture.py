@@ -20,7 +20,7 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 
 from ..base.quantities import engineering, with_unit
 from . import drawing_process
-from .colours import line_colours
+from .colours import line_colours, scalar_colours
 from .contact_marks import Spots
 from .needed_points import needed_points
 from .prisms import prism
@@ -172,7 +172,7 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
     # the polygon of a ring departs from the circle by less than a fifth of a pixel
     sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
     tube = _wires(scene, radius, sides, _MIN_RADIUS * camera.half_width)
-    colours = mpl.colormaps[scene.colours](mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
+    colours = scalar_colours(scene.colours)(mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
     points, triangles, mark_colours = marks(scene, camera, width)
     reference, starts = scene.reference, scene.reference_starts
     pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
@@ -328,7 +328,7 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     segments = np.stack([flat[first, :2], flat[first + 1, :2]], axis=1)
     depth = (flat[first, 2] + flat[first + 1, 2]) / 2
     norm = mpl.colors.Normalize(*scene.limits)
-    colour = mpl.colormaps[scene.colours](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
+    colour = scalar_colours(scene.colours)(norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
     width = 2 * np.maximum(scene.radius[first], _MIN_RADIUS * camera.half_width) * points_per_metre
 
     layers = _LAYERS if width.max() > _THIN else _LAYER_OF_THIN
