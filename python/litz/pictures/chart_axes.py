@@ -113,6 +113,12 @@ class _ChartYAxis(_OneMark, YAxis):
 class _ChartAxes(Axes):
     """As those of matplotlib, with these axes."""
 
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        for spine in self.spines.values():
+            # they find their places when marks are made, which an axis that is not seen never does
+            spine.get_spine_transform()
+
     def _init_axis(self) -> None:
         self.xaxis, self.yaxis = _ChartXAxis(self, clear=False), _ChartYAxis(self, clear=False)
         for axis, sides in ((self.xaxis, ("bottom", "top")), (self.yaxis, ("left", "right"))):
