@@ -23,6 +23,8 @@ _ROUNDS = 200
 # Rounds of many dots: as many as this number of pairs, but not fewer
 _WORK, _LEAST_ROUNDS = 4e8, 20
 _ROWS_AT_ONCE = 500
+# Pull towards the middle, relative to the push of all dots at unit distance from there
+_INWARDS = 0.5
 # Where a name begins below a dot, relative to its diameter
 _BELOW = 0.65
 # Lines do not cross names
@@ -115,7 +117,8 @@ def _spread(n: int, pairs: np.ndarray) -> np.ndarray:
     places = np.sqrt((np.arange(n) + 0.5) / n)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     spacing = np.sqrt(np.pi / n)
     for step in np.linspace(0.2, 0.002, int(np.clip(_WORK / n**2, _LEAST_ROUNDS, _ROUNDS))):
-        push = spacing**2 * _repulsion(places)
+        # the pull towards the middle keeps parts together that no line joins
+        push = spacing**2 * _repulsion(places) - _INWARDS * n * spacing**2 * places
         along = places[pairs[:, 1]] - places[pairs[:, 0]]
         pull = along * np.linalg.norm(along, axis=1, keepdims=True) / spacing
         for end, sign in ((0, 1.0), (1, -1.0)):
@@ -162,6 +165,7 @@ def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: li
     has_voltage = np.ptp(known) > 0
     factor, unit = engineering(known, unit_of_voltage)
     value = factor * graph.wire_potential
+    low, high = np.nanmin(value), np.nanmax(value)
     dots = axes.scatter(
         *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap=scalar_colours("viridis") if has_voltage else None,
         edgecolors="white", linewidths=1.0, zorder=2, plotnonfinite=True,
@@ -177,7 +181,7 @@ def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: li
                 axes.annotate(names[wire], (x, y), xytext=(0, -_BELOW * np.sqrt(area[wire])), textcoords="offset points",
                               ha="center", va="top", fontsize="small", zorder=3, color="#1b1b1b", bbox=_PLATE)  # fmt: skip
                 continue
-            bright = has_voltage and mpl.colors.Normalize(np.nanmin(value), np.nanmax(value))(value[wire]) > 0.6
+            bright = has_voltage and (not np.isfinite(value[wire]) or (value[wire] - low) > 0.6 * (high - low))
             axes.annotate(names[wire], (x, y), ha="center", va="center", fontsize="small", zorder=3,
                           color="#1b1b1b" if bright else "white")  # fmt: skip
     axes.margins(0.08)
