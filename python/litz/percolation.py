@@ -43,9 +43,7 @@ class Threshold:
     densities: NDArray[np.float64] = field(repr=False)
 
 
-def spans(
-    results: Results | str | Path, increment: int = -1, *, plus: str = "PLUS", minus: str = "MINUS"
-) -> bool:
+def spans(results: Results | str | Path, increment: int = -1, *, plus: str = "PLUS", minus: str = "MINUS") -> bool:
     """Whether wires and the contacts between them that conduct lead from one electrode to the other.
 
     Parameters

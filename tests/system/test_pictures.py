@@ -248,7 +248,6 @@ class TestCommand:
         assert ended.value.code == 1
         assert message in capsys.readouterr().err
 
-
     @pytest.mark.parametrize(
         ("arguments", "message"),
         [

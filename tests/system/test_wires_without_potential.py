@@ -53,7 +53,9 @@ def test_before_anything_is_prescribed_no_wire_is_told_apart(results):
 
 
 def test_pictures_say_what_grey_means_where_it_is_seen(results, tmp_path):
-    scenes = {number: SceneMaker(results, [index_of(results, number)]).scene(index_of(results, number)) for number in (1, 2)}
+    scenes = {
+        number: SceneMaker(results, [index_of(results, number)]).scene(index_of(results, number)) for number in (1, 2)
+    }
     assert scenes[1].grey_text == "grey wires: no potential"
     assert scenes[2].grey_text == ""
     assert np.isnan(scenes[1].value).sum() == scenes[1].starts[1]

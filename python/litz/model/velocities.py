@@ -81,7 +81,9 @@ def velocities_as_displacements(cards: list[Card]) -> Iterator[tuple[str, bool]]
 
 def _told(amplitudes: list[Card], card: Card) -> str:
     names = ", ".join(str(one["NAME"]) for one in amplitudes)
-    text = "TYPE=VELOCITY of *BOUNDARY is a displacement" + (f" that follows *AMPLITUDE, NAME={names}" if names else " of 0")
+    text = "TYPE=VELOCITY of *BOUNDARY is a displacement" + (
+        f" that follows *AMPLITUDE, NAME={names}" if names else " of 0"
+    )
     if "AMPLITUDE" not in card or not names:
         return text
     return f"{text}, with {_PIECES} pieces where the velocity changes; increments end at their ends"

@@ -99,7 +99,9 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
         for centre, long, short, angle in zip(cut.centre, cut.long, cut.short, cut.angle, strict=True)
     ]
     norm = mpl.colors.Normalize(*limits)
-    discs = PatchCollection(patches, cmap=scalar_colours(colours), norm=norm, edgecolors="white", linewidths=0.6, zorder=2)
+    discs = PatchCollection(
+        patches, cmap=scalar_colours(colours), norm=norm, edgecolors="white", linewidths=0.6, zorder=2
+    )
     discs.set_array(factor * values)
     axes.add_collection(discs)
     if len(values) <= _MAX_NUMBERS:

@@ -3,7 +3,6 @@
 import matplotlib as mpl
 import numpy as np
 
-
 #: Of wires that have no value: no conducting path leads from them to a prescribed potential
 NO_VALUE = "#c4c4c4"
 

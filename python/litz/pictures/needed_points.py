@@ -37,7 +37,9 @@ def needed_points(
     turn = np.arccos(np.clip(np.sum(chords[:-1] * chords[1:], axis=1), -1.0, 1.0)) * (within[:-1] & within[1:])
     change = np.abs(np.diff(value)) / ((high - low) or 1.0) * within
     beside = np.maximum(np.append(0.0, change[:-1]), np.append(change[1:], 0.0))
-    is_step = within & ((change > _STEEPER * beside + _LEAST_STEP) | (np.abs(np.diff(radius)) > _SAME_RADIUS * radius[1:]))
+    is_step = within & (
+        (change > _STEEPER * beside + _LEAST_STEP) | (np.abs(np.diff(radius)) > _SAME_RADIUS * radius[1:])
+    )
     kept = np.zeros(len(points), dtype=bool)
     kept[starts[:-1]] = kept[starts[1:] - 1] = True
     kept[:-1] |= is_step
