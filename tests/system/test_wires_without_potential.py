@@ -9,7 +9,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from browser import open_browser
-from litz import Results, plot
+from litz import Results, build, plot
+from litz.percolation import spans
 from litz.pictures import drawing_process, network_chart
 from litz.pictures.colours import NO_VALUE
 from litz.pictures.scene import SceneMaker
@@ -117,6 +118,17 @@ def test_the_viewer_shows_them_grey_and_says_so(results, tmp_path):
             "viewer.model.scalars.find((one) => one.name === 'potential'), new Float32Array([0, NaN, 1e-3])).limits)"
         )
         assert ask(browser, of_increment) == pytest.approx([0, 1e-3])
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_film_through_which_nothing_passes_has_no_current_and_no_warning(tmp_path, seed):
+    film = build.nanowire_film((40e-6, 30e-6), 25, length=20e-6, radius=50e-9, seed=seed)
+    film.press(50e-9, voltage=1e-3)
+    results = film.run(tmp_path)
+    assert not spans(results)
+    assert not results.history["current PLUS to MINUS"].any()
+    assert np.isinf(results.history["resistance PLUS to MINUS"][1:]).all()
+    assert results.warnings == []
 
 
 def test_the_colour_is_grey():
