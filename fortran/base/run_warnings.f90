@@ -10,7 +10,7 @@ module litz_run_warnings
    implicit none
    private
    public :: run_warning_t, run_warnings_t
-   public :: kind_length, max_pairs
+   public :: is_worse, kind_length, max_pairs
 
    integer, parameter :: kind_length = 32
    !> Entries of one kind, each about other elements; what comes beyond them shares one more entry
@@ -184,17 +184,23 @@ contains
       !> Smaller values are worse
       logical, intent(in) :: downwards
 
-      if (downwards) then
-         item%worst = min(item%worst, new%worst)
-      else
-         item%worst = max(item%worst, new%worst)
-      end if
+      if (is_worse(new%worst, item%worst, downwards)) item%worst = new%worst
       ! several places of the same elements in one increment, or a check that a run which goes on has made before
       if (all(item%last == new%last) .or. all(new%last == 0)) return
       item%count = item%count + 1
       item%last = new%last
       item%last_time = new%last_time
    end subroutine repeat_warning
+
+   !> Whether a value is worse than another one of the same kind of warning.
+   pure logical function is_worse(value, other, smaller_is_worse)
+      !> How bad it is, in the same unit
+      real(dp), intent(in) :: value, other
+      !> Smaller values are worse
+      logical, intent(in) :: smaller_is_worse
+
+      is_worse = merge(value < other, value > other, smaller_is_worse)
+   end function is_worse
 
    !> The message, and where it has come again: in how many increments, from where to where, and how bad it was.
    pure function warning_text(self) result(text)

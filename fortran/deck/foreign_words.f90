@@ -177,8 +177,8 @@ module litz_foreign_words
       foreign_word_t('INITIAL CONDITIONS', 'FILE|STEP|INC|INPUT|INTERPOLATE|MIDSIDE|DRIVING ELSETS|USER|OUTPUT', '', &
       'give the values of the nodes in data lines'), &
       foreign_word_t('BOUNDARY', 'TYPE', '', 'leave it out where it is DISPLACEMENT; for a velocity write the'// &
-      ' displacement at the end of the step, velocity times time: values ramp; there is no inertia for'// &
-      ' accelerations'), &
+      ' displacement at the end of the step, velocity times time: values ramp, or `litz convert THIS.inp NEW.inp`'// &
+      ' writes it; there is no inertia for accelerations'), &
       foreign_word_t('BOUNDARY', 'USER|LOAD CASE|SUBMODEL|REGION TYPE', '', 'leave it out: values are'// &
       ' displacements, rotations, potentials and temperatures, which may follow an *AMPLITUDE'), &
       foreign_word_t('CLOAD', 'FOLLOWER', '', 'forces keep their direction and do not turn with their node'), &

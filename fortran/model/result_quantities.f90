@@ -70,6 +70,8 @@ contains
       call add(list, on_cells, 'joule_heat', 'W', 'electric power in the element, which heats it (*JOULE HEAT'// &
          ' FRACTION)', state%joule_heat, 'JOULE', is_sum=.true.)
       if (state%has_field(field_potential)) then
+         call add(list, on_points, 'has_potential', '1', '1: a conducting path leads to a prescribed potential;'// &
+            ' 0: none, and the potential means nothing', state%has_potential)
          call add(list, on_cells, 'resistivity', 'ohm m', 'resistivity of the metal at its temperature; 0: it does'// &
             ' not conduct', state%metal, 1, 1)
          call add(list, on_cells, 'element_resistance', 'ohm', 'resistance of the metal from node to node; 0: the'// &

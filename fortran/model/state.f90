@@ -131,6 +131,8 @@ module litz_state
       !> Heat flow along the wire per area of the cross-section, from the first to the second node (n_elements) [W/m^2],
       !> heat of currents and sources in the element, and heat that leaves its side (n_elements) [W]
       real(dp), allocatable :: heat_flux(:), heat_made(:), surface_heat(:)
+      !> 1: a path leads from the node to a prescribed potential; 0: none (n_nodes)
+      real(dp), allocatable :: has_potential(:)
       !> What the elements take up of the heat (n_elements) [W], and the temperatures when the last increment and the
       !> one before it began (n_nodes) [K]
       real(dp), allocatable :: heat_stored(:), temperature_before(:), temperature_earlier(:)

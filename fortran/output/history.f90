@@ -331,26 +331,26 @@ contains
    end function energy_value
 
    !> Voltage of the positive against the negative electrode (means over their nodes), the current that enters the body
-   !> at the positive one, and their quotient: positive for a passive body, infinite where there is no current but
-   !> that of round-off.
+   !> at the positive one, and their quotient: positive for a passive body, infinite where there is no current. One
+   !> that is round-off is none.
    pure real(dp) function electrode_value(self, quantity, plus, minus, state) result(value)
       class(history_t), intent(in) :: self
       !> Which one of an electrode pair, and the nodes of the positive and the negative set (n), (m)
       integer, intent(in) :: quantity, plus(:), minus(:)
       type(state_t), intent(in) :: state
       integer, parameter :: slot = first_slot(field_potential)
-      real(dp) :: voltage, current, round_off
+      real(dp) :: voltage, current
 
       voltage = sum(state%value(slot, plus))/size(plus) - sum(state%value(slot, minus))/size(minus)
       current = sum(state%reaction(slot, plus) + state%load(slot, plus))
+      if (abs(current) <= 100*epsilon(value)*self%largest_conductance*maxval(abs(state%value(slot, :)))) current = 0
       select case (quantity)
       case (electrode_voltage)
          value = voltage
       case (electrode_current)
          value = current
       case default
-         round_off = 100*epsilon(value)*self%largest_conductance*maxval(abs(state%value(slot, :)))
-         if (abs(current) > round_off) then
+         if (abs(current) > 0) then
             value = voltage/current
          else if (abs(voltage) > 0) then
             value = ieee_value(value, ieee_positive_inf)

@@ -1,6 +1,7 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
-   use litz_fields, only: field_displacement, field_rotation, first_slot, last_slot, motion_slots
+   use litz_fields, only: field_displacement, field_potential, field_rotation, first_slot, last_slot, motion_slots
+   use litz_grounding, only: find_connected
    use litz_kinds, only: dp
    use litz_problem, only: problem_t
    use litz_rotations, only: nearest_rotation_vector
@@ -17,6 +18,7 @@ contains
       type(problem_t), intent(inout) :: problem
       type(energies_t) :: energies
       integer :: i, node
+      logical :: connected(problem%model%n_nodes)
 
       energies = problem%state%energies
       energies%strain = 0
@@ -53,6 +55,8 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%accept(problem%domain_t)
       end do
+      call find_connected(problem, field_potential, connected)
+      problem%state%has_potential = merge(1.0_dp, 0.0_dp, connected)
       if (problem%state%has_section_results) call find_section_strains(problem)
    end subroutine capture_state
 

@@ -14,7 +14,7 @@ module litz_grounding
    use litz_text, only: to_text
    implicit none
    private
-   public :: ground_floating_parts, describe_fed_part
+   public :: ground_floating_parts, describe_fed_part, find_connected
 
 contains
 
@@ -71,6 +71,30 @@ contains
             to_text(problem%model%node_id(problem%fed_node))//', which has no path to a prescribed '//trim(field%name)
       end associate
    end function describe_fed_part
+
+   !> Which nodes have a path to a prescribed value of a field.
+   subroutine find_connected(problem, field, connected)
+      type(problem_t), intent(in) :: problem
+      !> One of the fields of litz_fields, with one component
+      integer, intent(in) :: field
+      !> (n_nodes)
+      logical, intent(out) :: connected(:)
+      integer :: root(size(connected)), i
+      logical, dimension(size(connected)) :: prescribed, of_part
+
+      call find_parts(problem, field, root)
+      prescribed = problem%loading%fixed(first_slot(field), :)
+      do i = 1, size(problem%terms)
+         call problem%terms(i)%term%hold(problem%domain_t, field, prescribed)
+      end do
+      of_part = .false.
+      do i = 1, size(connected)
+         if (prescribed(i)) of_part(find_root(root, i)) = .true.
+      end do
+      do i = 1, size(connected)
+         connected(i) = of_part(find_root(root, i))
+      end do
+   end subroutine find_connected
 
    subroutine ground_field(problem, field)
       type(problem_t), intent(inout) :: problem

@@ -42,6 +42,8 @@ module litz_increment_warnings
    real(dp), parameter :: least_share = 1.0e-3_dp
    !> Displacements of so many times the round-off of coordinates are lost in these
    real(dp), parameter :: lost_motion = 10.0_dp
+   !> Flows of currents or heat up to so many times their round-off are none: no path leads where they could go
+   real(dp), parameter :: no_flow = 10.0_dp
    integer, parameter :: slot = temperature_slots(1)
 
 contains
@@ -201,13 +203,15 @@ contains
       type(problem_t), intent(inout) :: problem
       type(outcome_t), intent(in) :: outcome
       type(scales_t) :: scales
-      real(dp) :: tolerance
+      real(dp) :: tolerance, least
       integer :: field
 
       scales = measure_scales(problem)
       tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
       do field = 1, n_fields
-         if (scales%reference(field) <= max(vanishing, maxval(scales%round_off(field, :)))) then
+         least = maxval(scales%round_off(field, :))
+         if (fields(field)%is_level) least = no_flow*least
+         if (scales%reference(field) <= max(vanishing, least)) then
             call add_lost(problem, field, scales)
             cycle
          end if

@@ -86,7 +86,7 @@ contains
             state%section_strains(8, m), source=0.0_dp)
          allocate (state%element_current(m), state%current_density(m), state%joule_heat(m), state%heat_flux(m), &
             state%heat_made(m), state%surface_heat(m), state%heat_stored(m), state%temperature_before(n), &
-            state%temperature_earlier(n), source=0.0_dp)
+            state%temperature_earlier(n), state%has_potential(n), source=0.0_dp)
          allocate (state%metal(2, m), source=0.0_dp)
          allocate (state%superconductors(4, merge(m, 0, state%has_superconductors)), source=0.0_dp)
          allocate (state%contacts(0), state%surface_contacts(0))

@@ -1,7 +1,7 @@
 !> Warnings that many contacts may share in an increment: one for each kind, about the worst contact, with their number.
 module litz_shared_warnings
    use litz_kinds, only: dp
-   use litz_run_warnings, only: kind_length, run_warnings_t
+   use litz_run_warnings, only: is_worse, kind_length, run_warnings_t
    use litz_text, only: to_text
    implicit none
    private
@@ -59,13 +59,7 @@ contains
       end if
       associate (item => self%items(i))
          item%count = item%count + 1
-         if (item%count > 1) then
-            if (item%smaller_is_worse) then
-               if (.not. value < item%value) return
-            else
-               if (.not. value > item%value) return
-            end if
-         end if
+         if (item%count > 1 .and. .not. is_worse(value, item%value, item%smaller_is_worse)) return
          item%message = message
          item%elements = elements
          item%value = value

@@ -8,6 +8,7 @@ highest of those they cross, need about three times as many.
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,13 +43,13 @@ class Threshold:
     densities: NDArray[np.float64] = field(repr=False)
 
 
-def spans(results: Results, increment: int = -1, *, plus: str = "PLUS", minus: str = "MINUS") -> bool:
+def spans(results: Results | str | Path, increment: int = -1, *, plus: str = "PLUS", minus: str = "MINUS") -> bool:
     """Whether wires and the contacts between them that conduct lead from one electrode to the other.
 
     Parameters
     ----------
-    results : Results
-        A run.
+    results : Results or path
+        What `Results` takes.
     increment : int
         Index of the increment.
     plus, minus : str
@@ -62,6 +63,7 @@ def spans(results: Results, increment: int = -1, *, plus: str = "PLUS", minus: s
     ...                    collect=lambda results: {"spans": litz.percolation.spans(results)})
     >>> table.over("seed")["spans"]                                                         # doctest: +SKIP
     """
+    results = results if isinstance(results, Results) else Results(results)
     network = results.contact_network(increment)
     for name in (plus, minus):
         if name not in network.wires_at:

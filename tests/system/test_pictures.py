@@ -1,5 +1,6 @@
 """Pictures of real runs: what they show is what the results hold."""
 
+import shutil
 import sys
 from types import SimpleNamespace
 
@@ -246,6 +247,24 @@ class TestCommand:
             main(["plot", str(run_of_input("05_clamped_pair")), *options])
         assert ended.value.code == 1
         assert message in capsys.readouterr().err
+
+    @pytest.mark.parametrize(
+        ("arguments", "message"),
+        [
+            (["wires", "deck"], "the results come first: litz plot deck wires"),
+            (["wires"], "the results come first: litz plot RESULTS wires"),
+        ],
+    )
+    def test_a_kind_before_the_results_is_told_the_order(self, arguments, message, tmp_path, monkeypatch, capsys):
+        monkeypatch.chdir(tmp_path)
+        with pytest.raises(SystemExit):
+            main(["plot", *arguments])
+        assert message in capsys.readouterr().err
+
+    def test_results_may_have_the_name_of_a_kind(self, run_of_input, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        shutil.copytree(run_of_input("05_clamped_pair"), "wires")
+        assert main(["plot", "wires", "--list-fields"]) == 0
 
 
 class TestUnits:

@@ -104,6 +104,11 @@ def test_a_quiet_run_prints_nothing(stand_in, tmp_path, capfd):
     assert capfd.readouterr() == ("", "")
 
 
+def test_a_model_is_told_how_it_runs():
+    with pytest.raises(TypeError, match=r"not Model: a model has its own `run\(directory\)`"):
+        litz.run(litz.Model("of no wires"))
+
+
 def test_a_missing_program_is_said_in_words(monkeypatch, tmp_path):
     monkeypatch.setenv("LITZ_PROGRAM", str(tmp_path / "nowhere"))
     with pytest.raises(litz.FileError, match="LITZ_PROGRAM"):

@@ -209,6 +209,17 @@ def test_collect_says_what_goes_into_the_table(tmp_path):
     assert array["force"][0] == table["force"][0]
 
 
+def test_a_collect_without_names_is_told_what_it_returns(tmp_path):
+    with pytest.warns(UserWarning, match="are numbers by name, as {'force': 1.5}, not ndarray"):
+        litz.sweep(
+            model,
+            {"push": [1e-6]},
+            directory=tmp_path,
+            progress=False,
+            collect=lambda results: results.contacts_at(-1)["force"],
+        )
+
+
 def test_a_line_tells_how_many_runs_are_over(tmp_path, capsys):
     litz.sweep(lambda a: {"b": a}, [{"a": 1}, {"a": 2}], directory=None)
     assert capsys.readouterr().err.startswith("2 of 2 runs, ")

@@ -36,6 +36,15 @@ def test_a_line_for_each_pair_of_wires_and_a_dot_for_each_wire(results):
     assert len(dots.get_offsets()) == len(graph.wire_length)
 
 
+def test_parts_that_no_line_joins_stay_together_and_apart():
+    """Twelve chains of five wires, as clusters of a film below its threshold."""
+    pairs = np.array([(5 * chain + k, 5 * chain + k + 1) for chain in range(12) for k in range(4)])
+    places = layout(60, pairs)
+    distance = np.linalg.norm(places[:, None] - places, axis=2) + 9 * np.eye(60)
+    # of the width of the picture; they would have drifted apart until dots of a chain were one
+    assert distance.min() > 0.04 * np.ptp(places, axis=0).max()
+
+
 def test_without_contacts_the_wires_are_still_there(results):
     figure = Figure()
     network_chart.network(figure, results, 0)

@@ -63,7 +63,7 @@ def test_whether_a_run_conducts(tmp_path):
     assert percolation.spans(model(litz.HertzSpot()).run(tmp_path / "spot"))
     assert not percolation.spans(model(None).run(tmp_path / "none"))
     with pytest.raises(KeyError, match="no node set 'TOP'"):
-        percolation.spans(litz.Results(tmp_path / "spot"), plus="TOP")
+        percolation.spans(tmp_path / "spot", plus="TOP")
 
 
 @pytest.mark.parametrize(

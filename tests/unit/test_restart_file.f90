@@ -137,6 +137,7 @@ contains
          call random_number(state%current_density)
          call random_number(state%joule_heat)
          call random_number(state%metal)
+         call random_number(state%has_potential)
          call random_number(state%audit)
          ! what arithmetic would not keep: the sign of zero, the smallest and the largest number
          state%value(1:3, 1) = [-0.0_dp, tiny(1.0_dp)/3, -huge(1.0_dp)]
@@ -276,6 +277,7 @@ contains
          call check(same(a%current_density, b%current_density), 'current densities')
          call check(same(a%joule_heat, b%joule_heat), 'heat of elements')
          call check(same([a%metal], [b%metal]), 'resistivities and resistances of elements')
+         call check(same([a%has_potential], [b%has_potential]), 'which nodes have a potential')
          call check(all([a%step, a%increment, a%iterations] == [b%step, b%increment, b%iterations]), &
             'place and iterations')
          call check(same([a%time, a%step_time, a%time_increment], [b%time, b%step_time, b%time_increment]), 'times')

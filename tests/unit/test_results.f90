@@ -166,6 +166,7 @@ contains
       state%element_current = [(increment*3.0_dp*j, j=1, 4)]
       state%current_density = state%element_current/4.0e-4_dp
       state%joule_heat = [(increment*4.0_dp*j, j=1, 4)]
+      state%has_potential = [(1.0_dp, j=1, n)]
       state%metal = spread([2.0e-8_dp, increment*1.0e-3_dp], 2, 4)
       state%contacts = made_up_contacts(increment)
    end subroutine make_state

@@ -9,6 +9,7 @@ from ..pictures.kinds import KINDS
 from ..pictures.loading import load_matplotlib
 from ..pictures.scene import VIEWS
 from ..results import Results
+from ..results.found_files import is_there
 from ..results.scalars import scalars
 from .parsers import increment_of, results_parser
 
@@ -54,6 +55,8 @@ def plot_command(arguments: list[str]) -> int:
     parser.add_argument("--animate", action="store_true", help="the wires over all increments, as .gif or .mp4")
     parser.add_argument("--frames-per-second", type=float, default=10.0, metavar="N", help="default: 10")
     options = parser.parse_args(arguments)
+    if options.results in KINDS and not is_there(Path(options.results)):
+        parser.error(f"the results come first: litz plot {options.kind or 'RESULTS'} {options.results}")
     look = {name: getattr(options, name) for name in ("field", "scale", "spots", "view", "size")}
     look["reference"] = not options.no_reference
     try:

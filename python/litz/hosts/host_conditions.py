@@ -8,17 +8,10 @@ from numpy.typing import NDArray
 
 from ..deck import Card
 from ..deck.keyword_table import squeezed
+from ..model.loading import PROCEDURES, SUPPORTS
 
 #: Degree of freedom of the potential in decks
 POTENTIAL = 9
-#: Names of supports, and the degrees of freedom that they hold
-_SUPPORTS = {
-    "ENCASTRE": (1, 2, 3, 4, 5, 6), "PINNED": (1, 2, 3),
-    "XSYMM": (1, 5, 6), "YSYMM": (2, 4, 6), "ZSYMM": (3, 4, 5),
-    "XASYMM": (2, 3, 4), "YASYMM": (1, 3, 5), "ZASYMM": (1, 2, 6),
-}  # fmt: skip
-#: Cards that have the time of their step
-_PROCEDURES = ("STATIC", "COUPLED THERMAL-ELECTRICAL", "COUPLED TEMPERATURE-DISPLACEMENT")
 #: What other programs are given: not temperatures, in whose place the potential stands there
 _DOFS = (1, 2, 3, 4, 5, 6, POTENTIAL)
 
@@ -74,7 +67,7 @@ class HostConditions:
         """Rows of nodes with degrees of freedom, and what they are to be."""
         for where, first, *rest in card.data:
             last, value = [*rest, None, None][:2]
-            dofs = _SUPPORTS[first.upper()] if isinstance(first, str) else _between(first, last)
+            dofs = SUPPORTS[first.upper()] if isinstance(first, str) else _between(first, last)
             number = 0.0 if isinstance(first, str) else float(value or 0) * self._factor(card)
             for row in self._rows(where):
                 for dof in dofs:
@@ -99,7 +92,7 @@ class HostConditions:
 
 def _factors(cards: list[Card]) -> dict[str, float]:
     """Factors of the amplitudes at the end of the first step, by their names; there both times are the same."""
-    data: list[list[Any]] = next((card.data for card in cards if any(map(card.is_a, _PROCEDURES))), [])
+    data: list[list[Any]] = next((card.data for card in cards if any(map(card.is_a, PROCEDURES))), [])
     total = (*data[0], None, None)[1] if data else None
     end = 1.0 if total is None else float(total)
     factors = {}

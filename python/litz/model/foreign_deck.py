@@ -29,6 +29,7 @@ from .multi_point_constraints import constraints_as_rigid_bodies
 from .smooth_steps import smooth_steps_as_tables
 from .steps_at_once import steps_at_once
 from .unused_definitions import unused_definitions
+from .velocities import velocities_as_displacements
 from .weights_of_steps import keep_weights_of_earlier_steps
 
 _CONTROLS = "*CONTROLS: increments and iterations are controlled otherwise (`litz keywords CONTROLS`); ignored"
@@ -161,7 +162,10 @@ def _converted_deck(path: Path, dialect: str | None, units: dict[str, str] | Non
     converted.ignored += equations_in_order(cards)
     converted.tell(remove_foreign_parameters(cards))
     converted.ignored += keep_weights_of_earlier_steps(cards, dialect, path)
-    converted.ignored += [*smooth_steps_as_tables(cards), *steps_at_once(cards), *history_requests_as_prints(cards)]
+    converted.ignored += smooth_steps_as_tables(cards)
+    # before amplitudes that steps give their loads: velocities are there at once anyway
+    converted.tell(velocities_as_displacements(cards))
+    converted.ignored += [*steps_at_once(cards), *history_requests_as_prints(cards)]
     converted.left_out += pressures_as_forces(cards, dialect, path)
     surfaces = list(surfaces_as_sets(cards))
     chunks = [_converted(card, dialect, materials, path) for card in cards]

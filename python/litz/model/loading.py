@@ -15,6 +15,14 @@ from ..deck.lines import CardSpec
 Target = int | str
 #: Degree of freedom: its number, as in Abaqus, or its name
 Direction = int | str
+#: Names of supports, and the degrees of freedom that they hold
+SUPPORTS = {
+    "ENCASTRE": (1, 2, 3, 4, 5, 6), "PINNED": (1, 2, 3),
+    "XSYMM": (1, 5, 6), "YSYMM": (2, 4, 6), "ZSYMM": (3, 4, 5),
+    "XASYMM": (2, 3, 4), "YASYMM": (1, 3, 5), "ZASYMM": (1, 2, 6),
+}  # fmt: skip
+#: Cards that have the time of their step
+PROCEDURES = ("STATIC", "COUPLED THERMAL-ELECTRICAL", "COUPLED TEMPERATURE-DISPLACEMENT")
 
 
 def directions_of(card: str, value: str) -> dict[str, int]:

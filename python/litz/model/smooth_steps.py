@@ -29,11 +29,11 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
             factors = [float(value) for row in card.data for value in row if value is not None]
             for name in ("DEFINITION", "FIXED INTERVAL", *["BEGIN"] * ("BEGIN" in card)):
                 del card[name]
-            _write(card, (value for i, factor in enumerate(factors) for value in (begin + i * interval, factor)))
+            write_table(card, (value for i, factor in enumerate(factors) for value in (begin + i * interval, factor)))
             yield f"DEFINITION=EQUALLY SPACED of *AMPLITUDE, NAME={card.get('NAME')} is a table"
         elif "".join(definition.split()) == "SMOOTHSTEP":
             del card["DEFINITION"]
-            _write(card, _table(_points(card)))
+            write_table(card, _table(points_of(card)))
             yield (
                 f"DEFINITION=SMOOTH STEP of *AMPLITUDE, NAME={card.get('NAME')} is a table of {_PIECES} pieces for each step,"
                 " off by 0.2 % of the change; increments end at their ends"
@@ -42,7 +42,7 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
             table = curve_as_table(card, definition, cards)
             if table:
                 del card["DEFINITION"]
-                _write(card, table)
+                write_table(card, table)
                 yield (
                     f"DEFINITION={definition} of *AMPLITUDE, NAME={card.get('NAME')} is a table up to time {table[-2]:g},"
                     " off by 0.1 % of its coefficients between points; increments end at their ends"
@@ -51,14 +51,14 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
             share = float(card["SMOOTH"])
             if 0 <= share <= _MOST_ROUNDED:
                 del card["SMOOTH"]
-                _write(card, _rounded(_points(card), share))
+                write_table(card, _rounded(points_of(card), share))
                 yield (
                     f"SMOOTH={share:g} of *AMPLITUDE, NAME={card.get('NAME')}: its rounded corners are a table of"
                     f" {_PIECES_OF_CORNERS} pieces each; increments end at their ends"
                 )
 
 
-def _points(card: Card) -> list[tuple[float, float]]:
+def points_of(card: Card) -> list[tuple[float, float]]:
     """Times and factors; a comma may end a line, and a factor that is left out is 0."""
     return [
         (float(row[i] or 0), float((*row, None)[i + 1] or 0))
@@ -68,7 +68,8 @@ def _points(card: Card) -> list[tuple[float, float]]:
     ]
 
 
-def _write(card: Card, values: Iterable[float]) -> None:
+def write_table(card: Card, values: Iterable[float]) -> None:
+    """Give an amplitude times and factors in turn."""
     table = list(values)
     card.data = [table[i : i + _ON_A_LINE] for i in range(0, len(table), _ON_A_LINE)]
 

@@ -14,6 +14,7 @@ from ..results.contact_places import rows_of
 from ..results.scalars import colours_and_limits, find_scalar, scalar_values
 from .chart_tools import equal_curves, legend_beside, name_of_group, wire_names
 from .charts import MAX_LINES, colour_of, nothing_to_draw
+from .colours import scalar_colours, without_value
 
 # Wires with numbers in them, and with large ones, at most
 _MAX_NUMBERS, _MAX_LARGE = 100, 12
@@ -91,14 +92,16 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
     axes.grid(visible=False)
     values, text, unit = _values(results, increment, field, cut)
     factor, unit = engineering(values, unit)
-    colours, limits = colours_and_limits(factor * values.min(), factor * values.max(), one_sided=False)
+    colours, limits = colours_and_limits(factor * np.nanmin(values), factor * np.nanmax(values), one_sided=False)
     scale, length_unit = engineering(np.abs(cut.centre) + cut.long[:, None], results.unit_labels["m"])
     patches = [
         Ellipse(tuple(scale * centre), 2 * scale * long, 2 * scale * short, angle=np.degrees(angle))
         for centre, long, short, angle in zip(cut.centre, cut.long, cut.short, cut.angle, strict=True)
     ]
     norm = mpl.colors.Normalize(*limits)
-    discs = PatchCollection(patches, cmap=colours, norm=norm, edgecolors="white", linewidths=0.6, zorder=2)
+    discs = PatchCollection(
+        patches, cmap=scalar_colours(colours), norm=norm, edgecolors="white", linewidths=0.6, zorder=2
+    )
     discs.set_array(factor * values)
     axes.add_collection(discs)
     if len(values) <= _MAX_NUMBERS:
@@ -108,6 +111,8 @@ def section(figure: Figure, results: Results, increment: int, field: str | None,
             axes.annotate(str(wire + 1), scale * centre, ha="center", va="center", fontsize=text_size,
                           color="#1b1b1b" if bright else "white", zorder=4)  # fmt: skip
     note = _draw_contacts(axes, results, increment, cut, scale)
+    if np.isnan(values).any():
+        note = f"{note}; {without_value(text)}".removeprefix("; ")
     axes.autoscale_view()
     axes.margins(0.06)
     _draw_surfaces(axes, results, increment, cut, scale)

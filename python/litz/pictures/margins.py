@@ -98,7 +98,7 @@ def _place(figure: Figure, charts: list[Axes]) -> None:
     for axes in charts:
         columns = across[axes.get_subplotspec().colspan.start]
         for axis in (axes.xaxis, axes.yaxis):
-            _place_label(axis, columns[0])
+            place_label(axis, columns[0])
 
 
 def _shares(sides: list[tuple[float, float]], size: float, before: float, behind: float) -> tuple[float, float, float]:
@@ -180,8 +180,8 @@ def _label_height(axis: Axis) -> float:
     return axis.labelpad + _LINE * axis.label.get_fontsize() * (text.count("\n") + 1) if text else 0.0
 
 
-def _place_label(axis: Axis, left: float) -> None:
-    """Put the label of an axis beside its numbers: at the left as far away as those of other charts in the column."""
+def place_label(axis: Axis, left: float) -> None:
+    """Put the label of an axis beside its numbers: at the left as far away as those of other charts in the column [points]."""
     if not axis.get_label_text():
         return
     axes, side = axis.axes, axis.get_label_position()
@@ -212,5 +212,5 @@ def _place_bars(figure: Figure, charts: list[Axes]) -> None:
     for bar in _bars(figure):
         start = right - (_width_of_bar(bar) - _BESIDE_BAR) / width
         bar.set_position((start, bottom, _BAR / width, top - bottom))
-        _place_label(bar.yaxis, 0.0)
+        place_label(bar.yaxis, 0.0)
         right = start - _BESIDE_BAR / width

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -12,6 +11,7 @@ from ..base.quantities import engineering, label, with_unit
 from ..results import Results
 from ..results.network import ContactNetwork, contact_network
 from .chart_tools import has_force, wire_names
+from .colours import scalar_colours, without_value
 from .margins import bar_beside
 
 _WIDEST_LINE = 7.0
@@ -22,6 +22,8 @@ _ROUNDS = 200
 # Rounds of many dots: as many as this number of pairs, but not fewer
 _WORK, _LEAST_ROUNDS = 4e8, 20
 _ROWS_AT_ONCE = 500
+# Pull towards the middle, relative to the push of all dots at unit distance from there
+_INWARDS = 0.5
 # Where a name begins below a dot, relative to its diameter
 _BELOW = 0.65
 # Lines do not cross names
@@ -34,7 +36,8 @@ def network(figure: Figure, results: Results, increment: int) -> None:
     n_wires = len(graph.wire_length)
     by = "current" if graph.current.any() else "force"
     pairs, size = between_wires(graph, by)
-    places = turned(layout(n_wires, pairs), graph.wire_potential)
+    known = np.isfinite(graph.wire_potential)
+    places = turned(layout(n_wires, pairs), np.where(known, graph.wire_potential, 0.0))
     axes = figure.add_subplot()
     axes.set_axis_off()
     _draw_lines(axes, places, pairs, size)
@@ -46,7 +49,8 @@ def network(figure: Figure, results: Results, increment: int) -> None:
         f"Contact network at time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}: {counts}",
         x=0.015, ha="left", fontsize="large", fontweight="bold",
     )  # fmt: skip
-    axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts",
+    grey = "" if known.all() else f"; {without_value('potential')}"
+    axes.set_title(f"lines: {by} between two wires{largest}\ndots: wires, the larger the more contacts{grey}",
                    fontsize="small", fontweight="normal", color="#404040")  # fmt: skip
 
 
@@ -112,7 +116,8 @@ def _spread(n: int, pairs: np.ndarray) -> np.ndarray:
     places = np.sqrt((np.arange(n) + 0.5) / n)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     spacing = np.sqrt(np.pi / n)
     for step in np.linspace(0.2, 0.002, int(np.clip(_WORK / n**2, _LEAST_ROUNDS, _ROUNDS))):
-        push = spacing**2 * _repulsion(places)
+        # the pull towards the middle keeps parts together that no line joins
+        push = spacing**2 * _repulsion(places) - _INWARDS * n * spacing**2 * places
         along = places[pairs[:, 1]] - places[pairs[:, 0]]
         pull = along * np.linalg.norm(along, axis=1, keepdims=True) / spacing
         for end, sign in ((0, 1.0), (1, -1.0)):
@@ -155,12 +160,14 @@ def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: li
     touching = np.bincount(graph.wires.ravel(), minlength=n)
     largest = 420 if n <= _MAX_NAMES else 160
     area = largest * (0.35 + 0.65 * touching / max(touching.max(), 1))
-    has_voltage = np.ptp(graph.wire_potential) > 0
-    factor, unit = engineering(graph.wire_potential, unit_of_voltage)
+    known = graph.wire_potential[np.isfinite(graph.wire_potential)]
+    has_voltage = np.ptp(known) > 0
+    factor, unit = engineering(known, unit_of_voltage)
     value = factor * graph.wire_potential
+    low, high = np.nanmin(value), np.nanmax(value)
     dots = axes.scatter(
-        *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap="viridis" if has_voltage else None,
-        edgecolors="white", linewidths=1.0, zorder=2,
+        *places.T, s=area, c=value if has_voltage else "#2a6f97", cmap=scalar_colours("viridis") if has_voltage else None,
+        edgecolors="white", linewidths=1.0, zorder=2, plotnonfinite=True,
     )  # fmt: skip
     if has_voltage:
         bar = bar_beside([axes], dots)
@@ -173,7 +180,7 @@ def _draw_wires(axes: Axes, places: np.ndarray, graph: ContactNetwork, names: li
                 axes.annotate(names[wire], (x, y), xytext=(0, -_BELOW * np.sqrt(area[wire])), textcoords="offset points",
                               ha="center", va="top", fontsize="small", zorder=3, color="#1b1b1b", bbox=_PLATE)  # fmt: skip
                 continue
-            bright = has_voltage and mpl.colors.Normalize(value.min(), value.max())(value[wire]) > 0.6
+            bright = has_voltage and (not np.isfinite(value[wire]) or (value[wire] - low) > 0.6 * (high - low))
             axes.annotate(names[wire], (x, y), ha="center", va="center", fontsize="small", zorder=3,
                           color="#1b1b1b" if bright else "white")  # fmt: skip
     axes.margins(0.08)

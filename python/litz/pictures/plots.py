@@ -22,9 +22,10 @@ from ..errors import FileError
 from ..results import Results
 from ..results.contact_history import has_lines
 from . import cable_charts, charts, friction_charts, network_chart, residual_charts, surface_charts, zone_charts
+from .chart_axes import ChartFigure
 from .colours import line_colours
 from .kinds import INCHES, KINDS
-from .margins import arrange, text_width
+from .margins import arrange, place_label, text_width
 from .scene import AS_CIRCLES, VIEWS, Camera, Scene, SceneMaker, aim
 from .wire_picture import WITHOUT_OPENGL, Drawn, begin_rendering, draw_frame, draw_wires, render
 
@@ -235,11 +236,11 @@ def with_increments(results: Results | str | Path) -> Results:
 def new_figure(inches: tuple[float, float], pixels: tuple[int, int] | None) -> Figure:
     """A figure as wide as usual in inches, with the number of pixels that is wanted."""
     if pixels is None:
-        return Figure(figsize=inches, dpi=_DPI)
+        return ChartFigure(figsize=inches, dpi=_DPI)
     width, height = pixels
     if width < _MIN_PIXELS or height < _MIN_PIXELS:
         raise ValueError(f"a picture of {width} x {height} pixels is too small: at least {_MIN_PIXELS} each way")
-    return Figure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
+    return ChartFigure(figsize=(inches[0], inches[0] * height / width), dpi=width / inches[0])
 
 
 def title(results: Results, increment: int) -> str:
@@ -296,8 +297,11 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
         # the name of a scale stays within its share
         size = float(mpl.rcParams["font.size"])
         bar.set_label(text, size=size * min(1.0, room / text_width(text, size)))
+        place_label(bar_axes.xaxis, 0.0)
         bar.outline.set_visible(False)
     notes = [scene.spot_text] if scene.spot_text else []
+    if scene.grey_text:
+        notes.append(scene.grey_text)
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
         notes.append("grey: undeformed axes")
     if drawn is None and scene.frames:

@@ -62,7 +62,7 @@ def draw(window: vtkRenderWindow, job: Mapping[str, np.ndarray]) -> tuple[np.nda
     renderer.SetBackground(1.0, 1.0, 1.0)
     add_lights(renderer, job)
     tubes = mesh(job["points"], job["triangles"], colours=job["colours"], normals=job["normals"])
-    add(renderer, tubes, ambient=0.25, diffuse=0.8, specular=0.35)
+    add(renderer, tubes, ambient=0.25, diffuse=0.8, specular=0.35, outer_sides=bool(job["outer_sides"]))
     marks = mesh(job["mark_points"], job["mark_triangles"], colours=job["mark_colours"])
     add(renderer, marks)
     add(renderer, mesh(job["reference"], job["reference_pieces"]), REFERENCE_COLOUR, line_width=samples * _LINE_WIDTH)
@@ -89,8 +89,9 @@ def draw(window: vtkRenderWindow, job: Mapping[str, np.ndarray]) -> tuple[np.nda
 
 def _count(picture: np.ndarray, colour: tuple[int, int, int]) -> int:
     """Number of pixels of a colour."""
-    red, green, blue = (picture[:, :, channel] == value for channel, value in enumerate(colour))
-    return int(np.count_nonzero(red & green & blue))
+    # few pixels have its red
+    like = picture[picture[:, :, 0] == colour[0]]
+    return int(np.count_nonzero((like == colour).all(axis=1)))
 
 
 def _halved(picture: np.ndarray) -> np.ndarray:
@@ -135,8 +136,12 @@ def mesh(
 def add(
     renderer: vtkRenderer, data: vtkPolyData, colour: tuple[int, ...] | None = None, *, ambient: float = 1.0,
     diffuse: float = 0.0, specular: float = 0.0, opacity: float = 1.0, line_width: float = 1.0,
+    outer_sides: bool = False,
 ) -> None:  # fmt: skip
-    """Show a mesh in a colour of bytes, or in the colours of its points; nothing where it has no cells."""
+    """Show a mesh in a colour of bytes, or in the colours of its points; nothing where it has no cells.
+
+    With `outer_sides` what is seen from within is not drawn.
+    """
     if not data.GetNumberOfCells():
         return
     mapper, actor = vtkPolyDataMapper(), vtkActor()
@@ -151,6 +156,7 @@ def add(
     look.SetSpecularPower(25.0)
     look.SetOpacity(opacity)
     look.SetLineWidth(line_width)
+    look.SetBackfaceCulling(outer_sides)
     look.SetLighting(diffuse > 0)
     if colour is not None:
         look.SetColor(*(part / 255 for part in colour))

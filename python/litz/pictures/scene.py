@@ -11,6 +11,7 @@ from ..results.scalars import colours_and_limits, default_scalar, end_values, fi
 from ..results.surface_patches import surface_patches
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
+from .colours import without_value
 from .contact_marks import ContactMarks, Spots
 from .prisms import Frames, first_axes, lines_of_one_section
 
@@ -52,6 +53,8 @@ class Scene:
         What the colours and the spots mean, with units.
     shape_text : str
         What is to be said of the shape of the wires; empty where they are as they look.
+    grey_text : str
+        What is to be said of wires without a value; empty where all have one.
     limits : tuple of float
         Range of the colours.
     colours : str
@@ -86,6 +89,7 @@ class Scene:
     colours: str
     length_unit: str
     frames: dict[int, Frames] = field(default_factory=dict)
+    grey_text: str = ""
 
     @property
     def reach(self) -> float:
@@ -165,6 +169,7 @@ class SceneMaker:
         )
         points, starts = sample_wires(positions, slopes, wires, n)
         has_reference = self._reference and np.abs(self._scale * displacement).max() > 0.2 * results.radius.min()
+        values = end_values(results, self._scalar, increment)
         spots, sizes = self._marks.spots(increment, (positions, slopes))
         lines, on_lines = self._marks.lines(increment, (positions, slopes))
         corners, quads, rim = self._surfaces(increment)
@@ -172,7 +177,7 @@ class SceneMaker:
             points=points,
             starts=starts,
             radius=along_wires(np.repeat(results.radius[:, None], 2, axis=1), wires, n),
-            value=along_wires(self._factor * end_values(results, self._scalar, increment), wires, n),
+            value=along_wires(self._factor * values, wires, n),
             reference=sample_wires(*self._rest, wires, n)[0] if has_reference else np.zeros((0, 3)),
             reference_starts=starts if has_reference else np.zeros(0, dtype=int),
             surface_points=corners,
@@ -193,6 +198,7 @@ class SceneMaker:
             colours=self._colours,
             length_unit=results.unit_labels["m"],
             frames=self._frames(rotation, starts, n),
+            grey_text=without_value(self._scalar.text) if np.isnan(values).any() else "",
         )
 
     def _frames(self, rotation: np.ndarray, starts: np.ndarray, n: int) -> dict[int, Frames]:

@@ -20,8 +20,9 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 
 from ..base.quantities import engineering, with_unit
 from . import drawing_process
-from .colours import line_colours
+from .colours import line_colours, scalar_colours
 from .contact_marks import Spots
+from .needed_points import needed_points
 from .prisms import prism
 from .scene import Camera, Scene
 from .tube_mesh import Mesh, tubes
@@ -171,12 +172,14 @@ def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]
     # the polygon of a ring departs from the circle by less than a fifth of a pixel
     sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
     tube = _wires(scene, radius, sides, _MIN_RADIUS * camera.half_width)
-    colours = mpl.colormaps[scene.colours](mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
+    colours = scalar_colours(scene.colours)(mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
     points, triangles, mark_colours = marks(scene, camera, width)
     reference, starts = scene.reference, scene.reference_starts
     pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
     return {
         "points": tube.points, "normals": tube.normals, "triangles": tube.triangles, "colours": colours[tube.source],
+        # the inner sides of round tubes, which have round ends, are never seen
+        "outer_sides": np.array(not scene.frames),
         "mark_points": points, "mark_triangles": triangles, "mark_colours": mark_colours,
         "reference": reference,
         "reference_pieces": np.zeros((0, 2)) if pieces is None else np.delete(pieces, starts[1:-1] - 1, axis=0),
@@ -189,7 +192,9 @@ def _wires(scene: Scene, radius: np.ndarray, sides: int, least: float) -> Mesh:
     """Tubes with radii (n) at the points, and outlines that reach so far at least [m]."""
     lines = range(len(scene.starts) - 1)
     if not scene.frames:
-        return tubes(scene.points, scene.starts, radius, sides, np.float32)
+        kept, starts = needed_points(scene.points, scene.starts, radius, scene.value, scene.limits)
+        tube = tubes(scene.points[kept], starts, radius[kept], sides, np.float32)
+        return Mesh(tube.points, tube.normals, kept[tube.source], tube.triangles)
     rows = {line: np.arange(scene.starts[line], scene.starts[line + 1]) for line in lines}
     meshes = [(rows[line], prism(scene.points[rows[line]], frames, least)) for line, frames in scene.frames.items()]
     is_round = [rows[line] for line in lines if line not in scene.frames]
@@ -323,7 +328,7 @@ def _draw_flat(axes: Axes, scene: Scene, camera: Camera, points_per_metre: float
     segments = np.stack([flat[first, :2], flat[first + 1, :2]], axis=1)
     depth = (flat[first, 2] + flat[first + 1, 2]) / 2
     norm = mpl.colors.Normalize(*scene.limits)
-    colour = mpl.colormaps[scene.colours](norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
+    colour = scalar_colours(scene.colours)(norm((scene.value[first] + scene.value[first + 1]) / 2))[:, :3]
     width = 2 * np.maximum(scene.radius[first], _MIN_RADIUS * camera.half_width) * points_per_metre
 
     layers = _LAYERS if width.max() > _THIN else _LAYER_OF_THIN

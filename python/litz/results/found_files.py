@@ -24,12 +24,7 @@ def find_result_file(path: Path) -> Path:
             return found[0]
         what = "several: " + ", ".join(file.name for file in found) if found else "none"
         raise FileError(f"the directory {path} should have one result file (.vtkhdf); there are {what}")
-    if path.suffix == ".vtkhdf":
-        candidates = [path]
-    elif path.suffix == ".inp":
-        candidates = [path.with_suffix(".vtkhdf"), Path(path.stem + ".vtkhdf")]
-    else:
-        candidates = [path.with_name(path.name + ".vtkhdf")]
+    candidates = _candidates(path)
     for candidate in candidates:
         if candidate.is_file():
             _refuse_what_is_beside(candidate)
@@ -37,6 +32,20 @@ def find_result_file(path: Path) -> Path:
     raise FileError(
         f"there is no result file {' or '.join(dict.fromkeys(map(str, candidates)))}: has the deck been run?"
     )
+
+
+def is_there(path: Path) -> bool:
+    """Whether something of that name could be results."""
+    return path.is_dir() or any(candidate.is_file() for candidate in _candidates(path))
+
+
+def _candidates(path: Path) -> list[Path]:
+    """Files that a path which is no directory may mean."""
+    if path.suffix == ".vtkhdf":
+        return [path]
+    if path.suffix == ".inp":
+        return [path.with_suffix(".vtkhdf"), Path(path.stem + ".vtkhdf")]
+    return [path.with_name(path.name + ".vtkhdf")]
 
 
 def _refuse_what_is_beside(file: Path) -> None:

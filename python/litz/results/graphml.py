@@ -53,5 +53,5 @@ def write_graphml(
 def _add_data(parent: ElementTree.Element, what: str, columns: dict[str, np.ndarray], row: int) -> None:
     for name, values in columns.items():
         # as Java, Python and C read it
-        text = repr(values[row].item()).replace("inf", "Infinity")
+        text = repr(values[row].item()).replace("inf", "Infinity").replace("nan", "NaN")
         ElementTree.SubElement(parent, "data", key=f"{what}_{name}").text = text

@@ -15,6 +15,7 @@ from .contact_places import ContactPlaces, contact_places, rows_of
 from .contact_zones import contact_zones, stretch_along
 from .graphml import write_graphml
 from .result_file import ResultFile
+from .scalars import known_potential
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -44,7 +45,7 @@ class ContactNetwork:
     wire_length : (n,) array
         Length of each wire before deformation [m].
     wire_potential : (n,) array
-        Mean potential of the nodes of each wire [V].
+        Mean potential of the nodes of each wire, NaN without a conducting path to a prescribed one [V].
     wire_current : (n,) array
         Largest current along each wire [A], positive from its first to its last node.
     wires : (k, 2) array of int
@@ -211,16 +212,21 @@ def contact_network(results: ResultFile, increment: int, *, every_place: bool = 
     is_zone = np.arange(alone.sum() + zones.n_rows) >= alone.sum()
     of_edges = _edges(places, edge, is_zone)
     of_edges["length"][is_zone] = zones["length"]
-    potential = results.field("potential", increment)
+    potential = known_potential(results, increment)
     return ContactNetwork(
         first_element=np.array([results.element_ids[wire.elements[0]] for wire in wires]),
         wire_length=results.wire_arcs.wire_length,
-        wire_potential=np.array([potential[wire.nodes].mean() for wire in wires]),
+        wire_potential=np.array([_mean_of_known(potential[wire.nodes]) for wire in wires]),
         wire_current=wire_currents(results, increment),
         wires_at=_wires_at(results, wires),
         units=results.unit_labels,
         **of_edges,
     )
+
+
+def _mean_of_known(values: np.ndarray) -> float:
+    known = values[np.isfinite(values)]
+    return float(known.mean()) if known.size else np.nan
 
 
 def _edges(places: ContactPlaces, edge: np.ndarray, is_zone: np.ndarray) -> dict[str, np.ndarray]:

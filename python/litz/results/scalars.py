@@ -21,6 +21,7 @@ _BOOKKEEPING = (
 _AXES = "xyz"
 # Heat of an element depends on its length; this does not
 _HEAT, _HEAT_PER_LENGTH = "joule_heat", "joule_heat_per_length"
+_POTENTIAL, _HAS_POTENTIAL = "potential", "has_potential"
 _SEQUENTIAL = "viridis"
 _DIVERGING = "coolwarm"
 # A smaller range relative to the values is round-off
@@ -124,11 +125,25 @@ def scalar_values(results: ResultFile, scalar: Scalar, increment: int) -> np.nda
 
 
 def scalar_field(results: ResultFile, name: str, increment: int) -> np.ndarray:
-    """A field of `Scalar.fields` at an increment, (n) or (n, 3): one of the file, or Joule heat per length [W/m]."""
+    """A field of `Scalar.fields` at an increment, (n) or (n, 3): one of the file, or Joule heat per length [W/m].
+
+    The potential is NaN where it means nothing.
+    """
+    if name == _POTENTIAL:
+        return known_potential(results, increment)
     if name != _HEAT_PER_LENGTH:
         return results.field(name, increment)
     first, second = results.nodes[results.elements].transpose(1, 0, 2)
     return results.field(_HEAT, increment) / np.linalg.norm(second - first, axis=1)
+
+
+def known_potential(results: ResultFile, increment: int) -> np.ndarray:
+    """Potentials of the nodes, NaN where no conducting path leads to a prescribed one, if any is prescribed, (n_nodes) [V]."""
+    potential = results.field(_POTENTIAL, increment)
+    if _HAS_POTENTIAL not in results.fields:
+        return potential
+    has = results.field(_HAS_POTENTIAL, increment) > 0
+    return np.where(has, potential, np.nan) if has.any() else potential
 
 
 def end_values(results: ResultFile, scalar: Scalar, increment: int) -> np.ndarray:

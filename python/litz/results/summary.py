@@ -13,6 +13,7 @@ from .contact_places import ContactPlaces, contact_places
 from .contact_pressures import pressure_lines
 from .contact_zones import contact_zones, wire_pairs
 from .result_file import ResultFile
+from .scalars import known_potential
 from .surface_forces import joule_heat_on_surfaces, surface_forces
 
 Values = TypeVar("Values", np.ndarray, float)
@@ -73,6 +74,7 @@ def _last_increment(results: ResultFile) -> str:
     largest = _without_round_off(size.max(), _largest(results, "displacement", size.max()), _ROUND_OFF)
     potential = results.field("potential")
     potential = _without_round_off(potential, _largest(results, "potential", np.abs(potential).max()), _ROUND_OFF)
+    known = potential[np.isfinite(known_potential(results, -1))]
     contacts = results.contacts_at(-1)
     entering = results.field("reaction_current") + results.field("applied_current")
     unit = results.unit_labels
@@ -85,7 +87,7 @@ def _last_increment(results: ResultFile) -> str:
         f"at time {time} (step {results.steps[-1]}, increment {results.increments[-1]}):",
         f"  largest displacement   {largest:12.5g} {unit['m']:4}"
         + (f" at node {results.node_ids[size.argmax()]}" if largest else ""),
-        f"  potential              {potential.min():12.5g} {unit['V']:4} to {potential.max():.5g} {unit['V']}",
+        f"  potential              {known.min():12.5g} {unit['V']:4} to {known.max():.5g} {unit['V']}",
         *_contacts(places, zones, unit, "contacts of wires" if results.rigid_surfaces else "contacts"),
     ]
     lines += _on_surfaces(results)

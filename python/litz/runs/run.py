@@ -91,6 +91,11 @@ def run(
     RunWarning
         For each warning of the run, even if it ends with an error; `Results.warnings` has them as data.
     """
+    if not isinstance(deck, str | os.PathLike):
+        raise TypeError(
+            f"litz.run takes the path of a deck, not {type(deck).__name__}: a model has its own `run(directory)`, and a"
+            " litz.Deck is written first"
+        )
     if progress is None:
         progress = quiet and someone_watches()
     options = (deck, output_directory, solver, threads, restart, quiet, progress)

@@ -422,6 +422,8 @@ def _identity(deck: Path, options: Mapping[str, Any]) -> str:
 
 def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
     """Values of a run, each a number."""
+    if not isinstance(values, Mapping):
+        raise TypeError(f"the values of a run are numbers by name, as {{'force': 1.5}}, not {type(values).__name__}")
     numbers = {}
     for name, value in values.items():
         if np.ndim(value) != 0:

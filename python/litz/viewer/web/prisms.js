@@ -2,7 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, Vector3 } from "three";
 import { floats, integers } from "litz/data.js";
-import { FRAGMENT } from "litz/tubes.js";
+import { FRAGMENT, shownValues } from "litz/tubes.js";
 
 const PIECES = 12;
 const VERTEX = `
@@ -73,7 +73,8 @@ export class Prisms {
    }
 
    /** ends: values at both ends of all elements. */
-   setValues(ends) {
+   setValues(values) {
+      const ends = shownValues(values);
       const { scalar } = this.mesh.geometry.attributes;
       let place = 0;
       for (const { element, corners } of this.elements) {

@@ -42,6 +42,14 @@ const VERTEX = `
       if (radius < 0.) gl_Position = vec4(2., 2., 2., 1.);
    }`;
 
+/** Stands for no value: graphics processors need not know what is not a number. */
+const NO_VALUE = 1e30;
+
+/** Values for the graphics processor. */
+export function shownValues(values) {
+   return values.map((value) => Number.isNaN(value) ? NO_VALUE : value);
+}
+
 export const FRAGMENT = `
    uniform sampler2D colours;
    uniform vec2 limits;
@@ -53,6 +61,8 @@ export const FRAGMENT = `
       if (!gl_FrontFacing) normal = -normal;
       float part = clamp((value - limits.x) / (limits.y - limits.x), 0., 1.);
       vec3 colour = texture2D(colours, vec2((255. * part + 0.5) / 256., 0.5)).rgb;
+      // wires without a value, between the ends of an element, too
+      if (value > 1e20) colour = vec3(0.77);
       vec3 left = normalize(vec3(-0.6, 0.7, 1.)), right = normalize(vec3(0.9, -0.1, 1.));
       float light = 0.3 + 0.65 * max(dot(normal, left), 0.) + 0.25 * max(dot(normal, right), 0.);
       float gloss = 0.2 * pow(max(dot(normal, normalize(left + vec3(0., 0., 1.))), 0.), 30.);
@@ -100,7 +110,7 @@ export class Tubes {
    }
 
    setValues(ends) {
-      this.ends.array.set(ends);
+      this.ends.array.set(shownValues(ends));
       this.ends.needsUpdate = true;
    }
 

@@ -88,13 +88,15 @@ class Viewer {
       const scalar = model.scalars.find(({ name }) => name === this.find("field").value);
       const ends = endValues(model, scalar, data);
       const { colours, limits } = this.range(scalar, ends);
+      const text = scalar.text.replaceAll("_", " ");
+      this.greyNote = ends.some(Number.isNaN) ? `grey wires: no ${text}` : "";
       this.tubes.setValues(ends);
       this.prisms.setValues(ends);
       this.tubes.setColours(this.tables[colours], limits);
       this.surfaces.move(data.surfaces, factor);
       this.updateSpots(factor);
       this.updateZones(factor);
-      drawColourBar(this.find("colours"), this.tables[colours], limits, scalar.text.replaceAll("_", " "), scalar.unit);
+      drawColourBar(this.find("colours"), this.tables[colours], limits, text, scalar.unit);
       this.reference.visible = this.find("with-reference").checked;
       this.ledger.show(data.contacts, data.zones);
       this.stage.draw();
@@ -105,7 +107,8 @@ class Viewer {
    /** Colours and limits of a scalar: for the whole run, or for this increment. */
    range(scalar, ends) {
       if (this.find("range").value === "run") return scalar;
-      const low = ends.reduce((a, b) => Math.min(a, b), Infinity), high = ends.reduce((a, b) => Math.max(a, b), -Infinity);
+      const known = ends.filter((value) => !Number.isNaN(value));
+      const low = known.reduce((a, b) => Math.min(a, b), Infinity), high = known.reduce((a, b) => Math.max(a, b), -Infinity);
       if (!(high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high)))) return scalar;
       const largest = Math.max(-low, high);
       return scalar.colours === "coolwarm"
@@ -120,7 +123,7 @@ class Viewer {
       const places = Object.fromEntries(Object.entries(data.spots).map(([name, text]) => [name, floats(text)]));
       this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
       this.spots.set(places, factor, n ? data.contacts[by] : [], model.largest[by]);
-      this.find("spot-note").textContent = [this.spotNote(by, n), model.shape_text].filter(Boolean).join("; ");
+      this.find("spot-note").textContent = [this.spotNote(by, n), this.greyNote, model.shape_text].filter(Boolean).join("; ");
    }
 
    updateZones(factor) {
