@@ -14,8 +14,8 @@ from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model
 from ..model.wires import Wire
 from .geometry import rounded, smallest_gap
 from .helices import Lay
-from .layers import Layer, radius_of_layer
-from .periodic_ends import tie_ends, whole_turns
+from .layers import Layer, radius_of_layer, wound
+from .periodic_ends import begun_apart, tie_ends, whole_turns
 from .strand_groups import Materials, add_strands, hold_ends
 from .winding import StraightAxis, WoundAxis, points
 from .wraps import Wrap, wrap_bundles
@@ -260,7 +260,7 @@ class _Plan:
         for _ in range(_TRIES):
             asked = laid = self._laid(room, enlarge=True)
             if ends == "periodic":
-                laid = whole_turns(asked, self.length, self._alike)
+                laid = begun_apart(whole_turns(asked, self.length, self._alike), self.length)
             model = self._meshed(laid, element)
             gap = smallest_gap(model, within=2 * self.clearance + allowed, parts=_PARTS)
             if gap >= self.clearance - allowed:
@@ -306,13 +306,13 @@ class _Plan:
         first, *later = laid
         bundles: list[StraightAxis | WoundAxis] = [StraightAxis(self.length)]
         if later:
-            bundles = _wound(bundles, later[-1])
+            bundles = wound(bundles, later[-1])
         members: list[list[list[Wire]]] = [[] for _ in bundles]
         model = Model(self.name)
         laid_alike = zip(first, self.group_names, self.radii, materials, self.stages[0], strict=True)
         for layer, name, radius, material, count in laid_alike:
             axes = [
-                [rounded(points(axis, z), min(self.radii)) for axis in _wound([bundle], *reversed(later[:-1]), [layer])]
+                [rounded(points(axis, z), min(self.radii)) for axis in wound([bundle], *reversed(later[:-1]), [layer])]
                 for bundle in bundles
             ]
             strands = add_strands(
@@ -373,13 +373,6 @@ def _lays(
     return [None] * core + [
         Lay(**{kind: abs(value)}, hand=int(hand)) for value, hand in zip(values, hands, strict=True)
     ]
-
-
-def _wound(curves: list[StraightAxis | WoundAxis], *stages: Sequence[Layer]) -> list[StraightAxis | WoundAxis]:
-    """Members of stages, from the outermost, wound about each curve, and so on."""
-    for stage in stages:
-        curves = [axis for curve in curves for layer in stage for axis in layer.wound(curve)]
-    return curves
 
 
 def _each(what: str, value: Any, count: int) -> list[Any]:

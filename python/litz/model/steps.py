@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
 from .increments import SMALLEST_FRACTION, first_and_largest, procedure_parameters
@@ -322,11 +324,11 @@ class Step:
     def lorentz(
         self,
         elements: str | WireGroup,
-        field: Sequence[float] | Sequence[Sequence[float]],
+        field: ArrayLike,
         gradient: Sequence[Sequence[float]] | None = None,
         amplitude: Amplitude | str | None = None,
         along: str | None = None,
-        places: Sequence[float] | None = None,
+        places: Sequence[float] | Sequence[Sequence[float]] | None = None,
     ) -> None:
         """Force of a magnetic field on the currents in wires, as `*LORENTZ` gives it.
 
@@ -334,7 +336,7 @@ class Step:
         ----------
         elements : str or WireGroup
             Where.
-        field : (3) array or (n, 3) array
+        field : (3), (n, 3) or (n, m, 3) array
             Flux density at the origin [T], or at each of the `places`, linear between them.
         gradient : (3, 3) array, optional
             Its derivatives [T/m]: row `i` holds those of component `i` by x, y and z. The trace must be zero.
@@ -342,6 +344,17 @@ class Step:
             Factor over time.
         along, places : {"x", "y", "z"} and (n) array, optional
             Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
+            Or {"xy", "xz", "yz"} and a pair of an (n) and an (m) array: a map over a plane, the same along the third axis.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import litz
+        >>> model = litz.Model("a wire in a quadrupole of 50 T/m")
+        >>> wire = model.wire("WIRE", (0.01, 0.02, 0), (0.01, 0.02, 1), radius=1e-3, material=litz.COPPER, elements=8)
+        >>> x = y = np.linspace(-0.05, 0.05, 11)
+        >>> field = 50 * np.stack([*np.meshgrid(y, x), np.zeros((11, 11))], axis=-1)
+        >>> model.step().lorentz(wire, field, along="xy", places=(x, y))
         """
         table = len(self.element_loads) if along else 0
         for row in field_rows(field, gradient, along, places):
