@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .helices import Lay, neighbour_distance, touching_radius, widest_angle
@@ -29,8 +28,9 @@ class Layer:
         Lay length [m]: positive right-handed, negative left-handed; infinite for a core.
     remark : str
         What a user should know about it; empty: nothing.
-    phase : float
-        Angle of its first member at the lower end [rad].
+    turns : float
+        Turns over the length of the cable, which each member then makes, whatever the length of what it is wound around;
+        0: the lay length says.
     """
 
     count: int
@@ -38,7 +38,7 @@ class Layer:
     at: float
     lay_length: float
     remark: str = ""
-    phase: float = 0.0
+    turns: float = 0.0
 
     @property
     def outside(self) -> float:
@@ -50,17 +50,10 @@ class Layer:
         if self.at == 0:
             return [core]
         step = 2 * math.pi / self.count
-        return [WoundAxis(core, self.at, self.lay_length, self.phase + step * number) for number in range(self.count)]
-
-
-def wound(
-    curves: Sequence[StraightAxis | WoundAxis], *stages: Sequence[Layer]
-) -> list[StraightAxis | WoundAxis]:
-    """Members of stages, from the outermost, wound about each curve, and so on."""
-    members = list(curves)
-    for stage in stages:
-        members = [axis for curve in members for layer in stage for axis in layer.wound(curve)]
-    return members
+        lay = self.lay_length
+        if self.turns > 0:
+            lay = math.copysign(float(core.arc([core.length])[0]) / self.turns, lay)
+        return [WoundAxis(core, self.at, lay, step * number) for number in range(self.count)]
 
 
 def radius_of_layer(

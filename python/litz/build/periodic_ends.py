@@ -7,18 +7,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..model import Model
-from .layers import Layer, wound
-from .winding import StraightAxis, WoundAxis, points
+from .beyond_ends import Passage
+from .layers import Layer
+from .winding import StraightAxis, WoundAxis
 
 #: Largest part of a lay length by which it is changed so that ends fit
 _CHANGE = 0.1
-#: Distance of ends from those of the next piece, in radii of the wires: arcs of bundles within bundles differ a little
-_FIT = 0.2
-#: Places along a cell of which one becomes that of its ends
-_PLACES = 24
+#: Distance of ends from those of the next piece, in radii of the wires, that is round-off
+_FIT = 1e-3
 #: What the stretch of the cell is prescribed at, a node of no element
 STRETCH = "STRETCH"
 
@@ -66,40 +64,10 @@ def _fitted(layer: Layer, arc: float, parts: int, number: int) -> Layer:
             f"end; periodic ends need a whole number of turns{over}: its lay would be changed by {100 * change:.2g} %, more "
             f"than {100 * _CHANGE:.0f} %. A length of {shorter:.4g} or {longer:.4g} times this one fits"
         )
-    return replace(layer, lay_length=math.copysign(arc * parts / whole, layer.lay_length))
+    return replace(layer, lay_length=math.copysign(arc * parts / whole, layer.lay_length), turns=whole / parts)
 
 
-def begun_apart(stages: list[list[Layer]], length: float) -> list[list[Layer]]:
-    """The same layers, begun at the place along the cell where wires of different bundles are farthest from each other.
-
-    Elsewhere ends would lie on crossings, which slide over them as a jacket shrinks.
-    """
-    if len(stages) == 1:
-        return stages
-    places = np.arange(_PLACES) / _PLACES
-    axes = wound([StraightAxis(length)], *reversed(stages))
-    wires = np.stack([points(axis, places * length) for axis in axes])
-    radii = [layer.member for layer in stages[0] for _ in range(layer.count)]
-    bundle = np.repeat(np.arange(len(axes) // len(radii)), len(radii))
-    radius = np.tile(radii, len(axes) // len(radii))
-    gaps = [_smallest_gap(wires[:, k], radius, bundle) for k in range(_PLACES)]
-    part = float(places[int(np.argmax(np.array(gaps) > max(gaps) - 1e-3 * min(radii)))])
-    begun: list[list[Layer]] = []
-    axis: StraightAxis | WoundAxis = StraightAxis(length)
-    for layers in reversed(stages):
-        arc = float(axis.arc([length])[0])
-        begun.insert(0, [replace(layer, phase=2 * math.pi * part * arc / layer.lay_length) for layer in layers])
-        axis = begun[0][0].wound(axis)[0]
-    return begun
-
-
-def _smallest_gap(centres: NDArray, radius: NDArray, bundle: NDArray) -> float:
-    """Smallest gap between wires of different bundles of the first stage in a cross-section."""
-    distance = np.linalg.norm(centres[:, None] - centres[None], axis=2) - radius[:, None] - radius[None]
-    return float(distance[bundle[:, None] != bundle[None]].min())
-
-
-def tie_ends(model: Model, length: float) -> None:
+def tie_ends(model: Model, length: float) -> list[Passage]:
     """Let each upper end of a wire move and turn as the lower end does that it goes on in, but for a stretch along z.
 
     Parameters
@@ -109,6 +77,11 @@ def tie_ends(model: Model, length: float) -> None:
         the lengthening of the cell. One wire is held at its lower end, so that the cell neither moves nor turns as a whole.
     length : float
         Length of the cable [m].
+
+    Returns
+    -------
+    list of Passage
+        As which wire each one goes on.
     """
     wires = [(name, group.radius, wire) for name, group in model.groups.items() for wire in group.wires]
     lower = np.array([model.x[wire.nodes[0] - 1] for _, _, wire in wires])
@@ -135,6 +108,10 @@ def tie_ends(model: Model, length: float) -> None:
     model.fix(held, "x", "y", "rz")
     model.fix(held, "z")
     model.guides[STRETCH] = 1.0
+    return [
+        Passage(model.groups[name], wire, wires[next_one][2])
+        for (name, _, wire), next_one in zip(wires, goes_on.tolist(), strict=True)
+    ]
 
 
 def leave_to_jacket(model: Model) -> None:
