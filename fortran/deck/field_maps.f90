@@ -118,9 +118,9 @@ contains
    subroutine find_lines(self, reader, first, second, line, ok)
       class(field_map_t), intent(in) :: self
       type(reader_t), intent(inout) :: reader
-      !> Places along the axes, ascending [m]
+      !> Places along the axes, ascending (n_first), (n_second) [m]
       real(dp), intent(in) :: first(:), second(:)
-      !> (size(first), size(second))
+      !> (n_first, n_second)
       integer, allocatable, intent(out) :: line(:, :)
       !> .false.: an error was reported
       logical, intent(out) :: ok
@@ -174,9 +174,9 @@ contains
    subroutine refuse_divergence(self, reader, first, second, line, ok)
       class(field_map_t), intent(in) :: self
       type(reader_t), intent(inout) :: reader
-      !> Places along the axes, ascending [m]
+      !> Places along the axes, ascending (n_first), (n_second) [m]
       real(dp), intent(in) :: first(:), second(:)
-      !> Line of each place
+      !> Line of each place (n_first, n_second)
       integer, intent(in) :: line(:, :)
       !> .false.: an error was reported
       logical, intent(out) :: ok
@@ -211,7 +211,7 @@ contains
       class(field_map_t), intent(in) :: self
       type(reader_t), intent(inout) :: reader
       type(model_t), intent(in) :: model
-      !> Places along the axes, ascending [m]
+      !> Places along the axes, ascending (n_first), (n_second) [m]
       real(dp), intent(in) :: first(:), second(:)
       !> .false.: an error was reported
       logical, intent(out) :: ok
@@ -235,9 +235,9 @@ contains
    !> The field that touches the bilinear one at a place: at the origin, and its derivatives (12).
    pure function field_about(self, first, second, line, at) result(value)
       class(field_map_t), intent(in) :: self
-      !> Places along the axes, ascending [m]
+      !> Places along the axes, ascending (n_first), (n_second) [m]
       real(dp), intent(in) :: first(:), second(:)
-      !> Line of each place
+      !> Line of each place (n_first, n_second)
       integer, intent(in) :: line(:, :)
       !> The place (2) [m]
       real(dp), intent(in) :: at(2)
@@ -260,9 +260,9 @@ contains
    !> Derivatives of the bilinear field along both axes (3, 2) [N/(A m^2)].
    pure function slopes(self, first, second, line, i, j, part) result(slope)
       class(field_map_t), intent(in) :: self
-      !> Places along the axes, ascending [m]
+      !> Places along the axes, ascending (n_first), (n_second) [m]
       real(dp), intent(in) :: first(:), second(:)
-      !> Line of each place
+      !> Line of each place (n_first, n_second)
       integer, intent(in) :: line(:, :)
       !> The intervals
       integer, intent(in) :: i, j
@@ -271,10 +271,10 @@ contains
       real(dp) :: slope(3, 2)
 
       associate (f => self%field, low => line(i, j), high => line(i + 1, j + 1))
-         slope(:, 1) = ((1 - part(2))*(f(:, line(i + 1, j)) - f(:, low)) + part(2)*(f(:, high) - f(:, line(i, j + 1)))) &
-            /(first(i + 1) - first(i))
-         slope(:, 2) = ((1 - part(1))*(f(:, line(i, j + 1)) - f(:, low)) + part(1)*(f(:, high) - f(:, line(i + 1, j)))) &
-            /(second(j + 1) - second(j))
+         slope(:, 1) = ((1 - part(2))*(f(:, line(i + 1, j)) - f(:, low)) &
+            + part(2)*(f(:, high) - f(:, line(i, j + 1))))/(first(i + 1) - first(i))
+         slope(:, 2) = ((1 - part(1))*(f(:, line(i, j + 1)) - f(:, low)) &
+            + part(1)*(f(:, high) - f(:, line(i + 1, j))))/(second(j + 1) - second(j))
       end associate
    end function slopes
 

@@ -175,15 +175,15 @@ contains
          ' per length current times field, across both. The current is the one that is computed in the element,'// &
          ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
          ' without the field of the wires themselves; with ALONG it is given at places along an axis or over a'// &
-         ' plane. 1 T = 1 N/(A m). Lines of a step for the same element add up. Motions and potentials are then in one Newton'// &
-         ' step, or take turns with *SOLVER, COUPLING=UPDATED.')
+         ' plane. 1 T = 1 N/(A m). Lines of a step for the same element add up. Motions and potentials are then in'// &
+         ' one Newton step, or take turns with *SOLVER, COUPLING=UPDATED.')
       call add_op(k, 'fields')
       call k%add(choice('ALONG', 'X|Y|Z|XY|XZ|YZ', 'each line gives the field at a place along this axis; lines for'// &
          ' the same elements that follow each other are one table, linear from place to place, within which the'// &
-         ' middles of the elements have to lie before any deformation. The component along the axis stays as it is,'// &
-         ' as a field has no divergence. Two axes: lines, in any order, for each place along the first together with'// &
-         ' each along the second one, bilinear in between and the same along the third axis, as maps of magnets'// &
-         ' are; each element sees the field that touches it in its middle'))
+         ' middles of the elements have to lie before any deformation. The component along the axis stays as it'// &
+         ' is, as a field has no divergence. Two axes: lines, in any order, for each place along the first together'// &
+         ' with each along the second one, bilinear in between and the same along the third axis, as maps of'// &
+         ' magnets are; each element sees the field that touches it in its middle'))
       do i = 1, 3
          call k%add_data([item_field('element', 'number of an element or name of an element set'), &
             real_field('Bx', 'N/(A m)', 'field there'), real_field('By', 'N/(A m)', 'field there'), &

@@ -246,7 +246,9 @@ SLANTED = {"from": (0.0, 0.01, 0.03), "to": (0.08, 0.07, -0.02)}
 def around_a_current(x, y):
     """Field of a current along z at (0.05, -0.3), beside a quadrupole: strong enough that a map of it is no plane."""
     dx, dy = x - 0.05, y + 0.3
-    return np.stack([0.3 + 2 * y - 0.1 * dy / (dx**2 + dy**2), 2 * x + 0.1 * dx / (dx**2 + dy**2), 0.2 + x * y], axis=-1)
+    return np.stack(
+        [0.3 + 2 * y - 0.1 * dy / (dx**2 + dy**2), 2 * x + 0.1 * dx / (dx**2 + dy**2), 0.2 + x * y], axis=-1
+    )
 
 
 def bilinear(map_of_field, first, second, at):
@@ -286,7 +288,9 @@ class TestFieldOverAPlane:
 
     def test_a_map_of_a_linear_field_is_that_field(self, run):
         """Forces along the elements and the motion, which depend on the derivatives."""
-        linear = np.stack(np.broadcast_arrays(0.3 + 2 * Y[None], 2 * X[:, None], 0.1 + X[:, None] - 3 * Y[None]), axis=-1)
+        linear = np.stack(
+            np.broadcast_arrays(0.3 + 2 * Y[None], 2 * X[:, None], 0.1 + X[:, None] - 3 * Y[None]), axis=-1
+        )
         as_map = finished(run, slanted(plane_table("XY", X, Y, linear), held="1, 1, 6\n 9, 1, 3"))
         by_hand = "*LORENTZ\n WIRE, 0.3, 0, 0.1, 0, 2, 1, 2, 0, -3\n"
         exact = finished(run, slanted(by_hand, held="1, 1, 6\n 9, 1, 3"))

@@ -79,8 +79,7 @@ def beyond_the_cell(model, ledger):
 def test_forces_next_to_an_end_are_those_within_a_cell(tmp_path):
     """Two stages, which cross where the cell begins, and begin anew in its middle.
 
-    What is loose comes to rest a little elsewhere: ends and middle differ by 1 % of the force there, and by 4 to 9 % where
-    wires end with the cell.
+    They differ by 3e-4 of the force there, as what is loose comes to rest; where wires end with the cell by 4 to 9 %.
     """
     model = build.cable(
         [[3], [3]], radius=0.41e-3, lay_lengths=[30e-3, 60e-3], length=40e-3, ends="periodic", elements_per_lay=25
@@ -93,11 +92,11 @@ def test_forces_next_to_an_end_are_those_within_a_cell(tmp_path):
     place = (ledger["point_1_z"] + ledger["point_2_z"])[~images] / 2
     inside = np.histogram(place % 40e-3, bins=20, range=(0, 40e-3), weights=ledger["force"][~images])[0]
     assert inside[[0, -1]].sum() > 0.2 * inside.sum()
-    assert inside[[0, -1]].sum() == pytest.approx(inside[[9, 10]].sum(), rel=0.02)
+    assert inside[[0, -1]].sum() == pytest.approx(inside[[9, 10]].sum(), rel=5e-3)
     # results are of the cell alone, but for what presses across its upper end
     assert results.contacts_at(-1)["force"].sum() == pytest.approx(inside.sum(), rel=0.02)
     assert {len(wire.elements) for wire in results.wires} == {len(model.groups["LAYER1"].wires[0].elements)}
-    assert np.isfinite(results.interstrand_resistance(superconducting=True).stages()["mean"]).all()
+    assert results.interstrand_resistance(superconducting=True).stages()["not_joined"][0] == 0
 
 
 @pytest.mark.slow
@@ -112,8 +111,8 @@ def test_a_jacket_compacts_a_cell_of_two_stages(tmp_path):
     assert ledger["force"][images].sum() < 1e-4 * ledger["force"].sum()
     length += results.field("displacement", -1)[model.node_sets["STRETCH"][0] - 1, 2]
     points = np.array([[ledger[f"point_{k}_{axis}"] for axis in "xyz"] for k in (1, 2)]).transpose(2, 0, 1)
-    # those well inside what goes on beyond the lower end; which of two wires comes first may differ
-    checked = np.flatnonzero(images & (points[:, :, 2].max(axis=1) < -0.2e-3) & (points[:, :, 2].min(axis=1) > -1.5e-3))
+    # those on the first elements beyond the lower end, 0.78 mm long; which of two wires comes first may differ
+    checked = np.flatnonzero(images & (points[:, :, 2].max(axis=1) < -0.1e-3) & (points[:, :, 2].min(axis=1) > -0.7e-3))
     assert len(checked) > 5
     for row in checked:
         moved = points[row] + (0, 0, length)
@@ -123,3 +122,6 @@ def test_a_jacket_compacts_a_cell_of_two_stages(tmp_path):
         assert ledger["gap"][same] == pytest.approx(ledger["gap"][row], abs=1e-10)
         if ledger["gap"][row] < -1e-8:
             assert ledger["force"][same] > 1e3 * ledger["force"][row]
+    stages = results.interstrand_resistance(superconducting=True).stages()
+    assert stages["not_joined"].sum() == 0
+    assert np.isfinite(stages["mean"]).all()

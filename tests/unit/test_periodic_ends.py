@@ -74,7 +74,7 @@ def test_a_jacket_takes_the_place_of_what_holds_a_cell_across():
 def test_wires_of_two_stages_go_on_beyond_the_ends_as_images():
     length = 40e-3 / 3
     model = build.cable([[3], [3]], lay_lengths=[20e-3, 40e-3], length=length, **PLAN)
-    wires = [wire for wire in model.groups["LAYER1"].wires]
+    wires = list(model.groups["LAYER1"].wires)
     nodes = {(round(x, 8), round(y, 8), round(z, 8)) for x, y, z in model.x[: wires[-1].nodes[-1]]}
     for name, sense in (("BEYOND_PLUS", 1), ("BEYOND_MINUS", -1)):
         group = model.groups[f"{name}_LAYER1"]
@@ -92,7 +92,11 @@ def test_wires_of_two_stages_go_on_beyond_the_ends_as_images():
 
 @pytest.mark.parametrize(
     ("stages", "lays", "length", "beyond"),
-    [([[3]], [80e-3], 80e-3 / 3, False), ([[1, 6]], [[45e-3]], 15e-3, False), ([[1, 6, 12]], [[45e-3, -45e-3]], 7.5e-3, True)],
+    [
+        ([[3]], [80e-3], 80e-3 / 3, False),
+        ([[1, 6]], [[45e-3]], 15e-3, False),
+        ([[1, 6, 12]], [[45e-3, -45e-3]], 7.5e-3, True),
+    ],
 )
 def test_wires_go_on_where_they_cross_others(stages, lays, length, beyond):
     model = build.cable(stages, lay_lengths=lays, length=length, **PLAN)

@@ -263,7 +263,9 @@ def field_rows(
             raise ValueError(f"{len(places)} places need a field of shape ({len(places)}, 3), not {values.shape}")
         return np.column_stack([values, np.asarray(places, dtype=float)]).tolist()
     if len(places) != 2 or any(np.ndim(one) != 1 for one in places):
-        raise ValueError(f"a field over a plane, along={along!r}, needs the places along each of both axes: places=(first, second)")
+        raise ValueError(
+            f"a field over a plane, along={along!r}, needs the places along each of both axes: places=(first, second)"
+        )
     axes = [np.asarray(one, dtype=float) for one in places]
     shape = (len(axes[0]), len(axes[1]), 3)
     if values.shape != shape:

@@ -345,16 +345,6 @@ class Step:
         along, places : {"x", "y", "z"} and (n) array, optional
             Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
             Or {"xy", "xz", "yz"} and a pair of an (n) and an (m) array: a map over a plane, the same along the third axis.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import litz
-        >>> model = litz.Model("a wire in a quadrupole of 50 T/m")
-        >>> wire = model.wire("WIRE", (0.01, 0.02, 0), (0.01, 0.02, 1), radius=1e-3, material=litz.COPPER, elements=8)
-        >>> x = y = np.linspace(-0.05, 0.05, 11)
-        >>> field = 50 * np.stack([*np.meshgrid(y, x), np.zeros((11, 11))], axis=-1)
-        >>> model.step().lorentz(wire, field, along="xy", places=(x, y))
         """
         table = len(self.element_loads) if along else 0
         for row in field_rows(field, gradient, along, places):

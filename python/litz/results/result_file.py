@@ -199,8 +199,8 @@ class ResultFile:
     @cached_property
     def images(self) -> np.ndarray:
         """Which elements are images of others, beyond the periodic ends of a cell, (n_elements)."""
-        rows = [self.element_sets.get(name, []) for name in BEYOND]
-        return np.isin(np.arange(len(self.elements)), np.concatenate(rows))
+        rows = [row for name in BEYOND for row in self.element_sets.get(name, ())]
+        return np.isin(np.arange(len(self.elements)), rows)
 
     @cached_property
     def wire_arcs(self) -> WireArcs:
@@ -370,10 +370,8 @@ class ResultFile:
     @property
     def contacts(self) -> Table:
         """The contact ledger: a row for each contact at each increment, without those of `images`."""
-        images = self.element_ids[self.images]
-        return self._whole(
-            self._table("_contacts.csv", lambda path: read_ledger(path, self.steps, self.increments, self.times, images))
-        )
+        rest = (self.steps, self.increments, self.times, self.element_ids[self.images])
+        return self._whole(self._table("_contacts.csv", lambda path: read_ledger(path, *rest)))
 
     @cached_property
     def contact_units(self) -> dict[str, str]:
