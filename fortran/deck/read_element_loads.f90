@@ -5,7 +5,8 @@ module litz_read_element_loads
    use litz_deck, only: token_t
    use litz_definitions, only: find_definition
    use litz_element_loads, only: element_load_t, load_kind_named, load_label, load_grav, load_lorentz, n_load_kinds, &
-      n_dload_kinds, field_axes
+      n_dload_kinds, field_axes, field_planes, axes_of_planes
+   use litz_field_maps, only: field_map_t
    use litz_field_tables, only: field_table_t
    use litz_model, only: model_t, leave_step
    use litz_reader, only: reader_t, fail_at, parameter_of, choice_of, keyword_of, n_cards_of, name_of
@@ -79,19 +80,29 @@ contains
       type(token_t) :: token
       type(element_load_t) :: load
       type(field_table_t) :: table
+      type(field_map_t) :: map
       integer :: line, element, set, i
       logical :: ok
 
       call apply_op(self, card, list)
       token = parameter_of(self, card, 'AMPLITUDE')
       if (token%line > 0) call find_definition(self, self%amplitudes, 'amplitude', token, load%amplitude)
-      if (keyword_of(self, card) == 'LORENTZ') table%axis = findloc(field_axes == choice_of(self, card, 'ALONG'), &
-         .true., 1)
+      if (keyword_of(self, card) == 'LORENTZ') then
+         table%axis = findloc(field_axes == choice_of(self, card, 'ALONG'), .true., 1)
+         i = findloc(field_planes == choice_of(self, card, 'ALONG'), .true., 1)
+         if (i > 0) map%axes = axes_of_planes(:, i)
+         ! what its lines mean is not known where that is in error
+         token = parameter_of(self, card, 'ALONG')
+         if (token%line > 0 .and. table%axis == 0 .and. i == 0) return
+      end if
       do line = self%deck%cards(card)%first_data, self%deck%cards(card)%last_data
          call read_line(self, card, line, ok)
          if (.not. ok) cycle
          if (table%axis > 0) then
             call read_place(self, model, load, table, list)
+            cycle
+         else if (map%axes(1) > 0) then
+            call read_place_of_map(self, model, load, map, list)
             cycle
          end if
          if (keyword_of(self, card) == 'LORENTZ') then
@@ -110,6 +121,7 @@ contains
          call set_loads(self, model, elements_of(self, model, element, set), load, list)
       end do
       if (table%axis > 0) call table%finish(self, model)
+      if (map%n > 0) call finish_map(self, model, load, map, list)
    end subroutine read_element_loads
 
    !> A line of *LORENTZ, ALONG: lines for the same elements that follow each other are one table.
@@ -132,6 +144,40 @@ contains
       call table%take(self, model, elements, load%value)
       call set_loads(self, model, elements, load, list)
    end subroutine read_place
+
+   !> A line of *LORENTZ, ALONG of two axes: lines for the same elements that follow each other are one table.
+   subroutine read_place_of_map(self, model, load, map, list)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(element_load_t), intent(inout) :: load
+      type(field_map_t), intent(inout) :: map
+      type(load_list_t), intent(inout) :: list
+      integer :: element, set
+
+      call find_item(self, 'element', self%element_sets, self%elements, 1, element, set)
+      if (element == 0 .and. set == 0) return
+      if (.not. map%is_of(element, set)) then
+         call finish_map(self, model, load, map, list)
+         call map%start(element, set, elements_of(self, model, element, set))
+      end if
+      call map%take(self)
+   end subroutine read_place_of_map
+
+   !> After the last line of such a table.
+   subroutine finish_map(self, model, load, map, list)
+      type(reader_t), intent(inout) :: self
+      type(model_t), intent(in) :: model
+      type(element_load_t), intent(inout) :: load
+      type(field_map_t), intent(inout) :: map
+      type(load_list_t), intent(inout) :: list
+      integer, allocatable :: elements(:)
+      real(dp), allocatable :: values(:, :)
+
+      if (map%n == 0) return
+      load%kind = load_lorentz
+      call map%finish(self, model, elements, values)
+      call set_loads(self, model, elements, load, list, values, map%token(1))
+   end subroutine finish_map
 
    !> OP=NEW removes what earlier steps left, over the step; within a step all cards must agree.
    subroutine apply_op(self, card, list)
@@ -210,23 +256,31 @@ contains
          ' dBz/dz must be zero; found '//to_text(trace))
    end subroutine take_field
 
-   !> Put a load on elements that the line read last names.
-   subroutine set_loads(self, model, elements, load, list)
+   !> Put a load on elements that the line read last names, or lines before it.
+   subroutine set_loads(self, model, elements, load, list, values, named)
       type(reader_t), intent(inout) :: self
       type(model_t), intent(in) :: model
       !> Indices of elements (n)
       integer, intent(in) :: elements(:)
       type(element_load_t), intent(in) :: load
       type(load_list_t), intent(inout) :: list
+      !> Of each element, in place of that of the load (12, n)
+      real(dp), intent(in), optional :: values(:, :)
+      !> Where they are named, if not on the line read last
+      type(token_t), intent(in), optional :: named
       type(token_t) :: token
       character(len=:), allocatable :: what
+      real(dp) :: value(12)
       integer :: i
 
       what = ''
       token = self%values%token(1)
+      if (present(named)) token = named
       ! a line that names none points at its label
       if (token%last < token%first) token = self%values%token(2)
+      value = load%value
       do i = 1, size(elements)
+         if (present(values)) value = values(:, i)
          if (.not. self%broken_keywords) what = reason_against(model, elements(i), load%kind)
          if (len(what) == 0) call set_load(elements(i))
          if (len(what) == 0) cycle
@@ -252,16 +306,16 @@ contains
          end if
          associate (item => list%items(at))
             if (list%line(at) == 0) then
-               item%value = load%value
+               item%value = value
                item%amplitude = load%amplitude
             else if (item%amplitude /= load%amplitude) then
                what = 'has loads '//load_label(load%kind)//' of different amplitudes; the other is in '// &
                   self%deck%place(list%line(at))
             else
-               item%value = item%value + load%value
+               item%value = item%value + value
             end if
          end associate
-         list%line(at) = self%values%token(2)%line
+         list%line(at) = token%line
       end subroutine set_load
 
    end subroutine set_loads

@@ -1,6 +1,6 @@
 !> The keywords of steps: loads, output, and how the equations are solved.
 module litz_step_keywords
-   use litz_element_loads, only: load_choices, field_axes
+   use litz_element_loads, only: load_choices, field_axes, field_planes
    use litz_fields, only: fields, n_fields, field_displacement, field_rotation, dof_range, describe_dofs, list_units
    use litz_keywords, only: keyword_t, keyword_table_t, field_spec_t, place_step, place_both, place_begins_step, &
       limit_positive, limit_not_negative
@@ -174,19 +174,28 @@ contains
       call begin(k, 'LORENTZ', place_step, 'Force of a magnetic field on the currents in wires (litz extension):'// &
          ' per length current times field, across both. The current is the one that is computed in the element,'// &
          ' the field is given, B(x) = B0 + x dB/dx + y dB/dy + z dB/dz at the present place x, y, z of the wire,'// &
-         ' without the field of the wires themselves; with ALONG it is given at places along an axis. 1 T ='// &
-         ' 1 N/(A m). Lines of a step for the same element add up. Motions and potentials are then in one Newton'// &
-         ' step, or take turns with *SOLVER, COUPLING=UPDATED.')
+         ' without the field of the wires themselves; with ALONG it is given at places along an axis or over a'// &
+         ' plane. 1 T = 1 N/(A m). Lines of a step for the same element add up. Motions and potentials are then in'// &
+         ' one Newton step, or take turns with *SOLVER, COUPLING=UPDATED.')
       call add_op(k, 'fields')
-      call k%add(choice('ALONG', 'X|Y|Z', 'each line gives the field at a place along this axis; lines for the same'// &
-         ' elements that follow each other are one table, linear from place to place, within which the middles of'// &
-         ' the elements have to lie before any deformation. The component along the axis stays as it is, as a field'// &
-         ' has no divergence'))
+      call k%add(choice('ALONG', 'X|Y|Z|XY|XZ|YZ', 'each line gives the field at a place along this axis; lines for'// &
+         ' the same elements that follow each other are one table, linear from place to place, within which the'// &
+         ' middles of the elements have to lie before any deformation. The component along the axis stays as it'// &
+         ' is, as a field has no divergence. Two axes: lines, in any order, for each place along the first together'// &
+         ' with each along the second one, bilinear in between and the same along the third axis, as maps of'// &
+         ' magnets are; each element sees the field that touches it in its middle'))
       do i = 1, 3
          call k%add_data([item_field('element', 'number of an element or name of an element set'), &
             real_field('Bx', 'N/(A m)', 'field there'), real_field('By', 'N/(A m)', 'field there'), &
             real_field('Bz', 'N/(A m)', 'field there'), real_field('place', 'm', 'place along the axis, higher than'// &
             ' that of the line before')], when='ALONG='//field_axes(i), last=0, optional_with=new_alone)
+      end do
+      do i = 1, 3
+         call k%add_data([item_field('element', 'number of an element or name of an element set'), &
+            real_field('Bx', 'N/(A m)', 'field there'), real_field('By', 'N/(A m)', 'field there'), &
+            real_field('Bz', 'N/(A m)', 'field there'), real_field('place', 'm', 'place along the first axis'), &
+            real_field('second place', 'm', 'place along the second axis')], when='ALONG='//field_planes(i), last=0, &
+            optional_with=new_alone)
       end do
       call k%add_data([item_field('element', 'number of an element or name of an element set'), &
          real_field('Bx', 'N/(A m)', 'field at the origin'), real_field('By', 'N/(A m)', 'field at the origin'), &

@@ -3,7 +3,7 @@ module litz_element_loads
    use litz_kinds, only: dp
    implicit none
    private
-   public :: element_load_t, load_kind_named, load_label, load_choices, field_axes
+   public :: element_load_t, load_kind_named, load_label, load_choices, field_axes, field_planes, axes_of_planes
    public :: load_px, load_pz, load_p1, load_p2, load_grav, load_lorentz, n_load_kinds, n_dload_kinds
 
    !> Force per length along the global axes, and along the section axes, with which it turns; weight by an
@@ -17,6 +17,9 @@ module litz_element_loads
 
    !> Axes along which *LORENTZ, ALONG gives a field
    character(len=1), parameter :: field_axes(3) = ['X', 'Y', 'Z']
+   !> Planes over which it does, and both axes of each (2, 3)
+   character(len=2), parameter :: field_planes(3) = ['XY', 'XZ', 'YZ']
+   integer, parameter :: axes_of_planes(2, 3) = reshape([1, 2, 1, 3, 2, 3], [2, 3])
 
    type :: element_load_t
       integer :: element = 0

@@ -269,6 +269,7 @@ FREE_VALUES = {
     ("LORENTZ", "dBx/dx"): "a field has no divergence", ("LORENTZ", "dBy/dy"): "a field has no divergence",
     ("LORENTZ", "dBz/dz"): "a field has no divergence",
     ("LORENTZ", "ALONG"): "fields that change evenly count", ("LORENTZ", "place"): "fields that change evenly count",
+    ("LORENTZ", "second place"): "fields that change evenly count",
     ("BEAM SECTION", "I12"): "angle of the principal axes and second moments about them count",
     ("BEAM SECTION", "OFFSET1"): "the shear centre counts", ("BEAM SECTION", "OFFSET2"): "the shear centre counts",
     ("NSET", "ELSET"): "its nodes count",

@@ -237,3 +237,136 @@ class TestFieldAtPlaces:
         assert message.lower() in done.stderr.lower(), done.stderr
         number = deck[: deck.index("*LORENTZ")].count("\n") + 1 + line
         assert f"deck.inp:{number}:" in done.stderr, done.stderr
+
+
+X, Y = np.array([-0.01, 0.02, 0.05, 0.12]), np.array([-0.02, 0.03, 0.09])
+SLANTED = {"from": (0.0, 0.01, 0.03), "to": (0.08, 0.07, -0.02)}
+
+
+def around_a_current(x, y):
+    """Field of a current along z at (0.05, -0.3), beside a quadrupole: strong enough that a map of it is no plane."""
+    dx, dy = x - 0.05, y + 0.3
+    return np.stack(
+        [0.3 + 2 * y - 0.1 * dy / (dx**2 + dy**2), 2 * x + 0.1 * dx / (dx**2 + dy**2), 0.2 + x * y], axis=-1
+    )
+
+
+def bilinear(map_of_field, first, second, at):
+    """The field of a map at places (n, 2), one axis after the other."""
+    along = np.array([[np.interp(at[:, 1], second, row[:, k]) for row in map_of_field] for k in range(3)])
+    return np.array([[np.interp(u, first, column) for u, column in zip(at[:, 0], of.T, strict=True)] for of in along]).T
+
+
+def plane_table(along, first, second, field, name="WIRE"):
+    rows = [
+        f" {name}, {', '.join(map(repr, field[i, j].tolist()))}, {first[i]!r}, {second[j]!r}"
+        for j in range(len(second))
+        for i in range(len(first))
+    ]
+    return f"*LORENTZ, ALONG={along}\n" + "\n".join(rows).replace("np.float64(", "").replace(")", "") + "\n"
+
+
+def slanted(cards, held="WIRE, 1, 6"):
+    return bar(fed(9) + cards, held=held, points=np.linspace(SLANTED["from"], SLANTED["to"], 9))
+
+
+class TestFieldOverAPlane:
+    """A slanted wire of 8 elements, in a field that is given over x and y."""
+
+    NODES = np.linspace(SLANTED["from"], SLANTED["to"], 9)
+    MIDDLES = (NODES[1:] + NODES[:-1]) / 2
+    TANGENT = (NODES[-1] - NODES[0]) / np.linalg.norm(NODES[-1] - NODES[0])
+    FIELD = around_a_current(*np.meshgrid(X, Y, indexing="ij"))
+
+    def expected(self, field):
+        return CURRENT * np.cross(self.TANGENT, field)
+
+    def test_the_field_in_the_middle_of_an_element_is_bilinear(self, run):
+        results = finished(run, slanted(plane_table("XY", X, Y, self.FIELD)))
+        there = bilinear(self.FIELD, X, Y, self.MIDDLES[:, :2])
+        np.testing.assert_allclose(results.field("line_load"), self.expected(there), rtol=1e-8, atol=1e-10)
+
+    def test_a_map_of_a_linear_field_is_that_field(self, run):
+        """Forces along the elements and the motion, which depend on the derivatives."""
+        linear = np.stack(
+            np.broadcast_arrays(0.3 + 2 * Y[None], 2 * X[:, None], 0.1 + X[:, None] - 3 * Y[None]), axis=-1
+        )
+        as_map = finished(run, slanted(plane_table("XY", X, Y, linear), held="1, 1, 6\n 9, 1, 3"))
+        by_hand = "*LORENTZ\n WIRE, 0.3, 0, 0.1, 0, 2, 1, 2, 0, -3\n"
+        exact = finished(run, slanted(by_hand, held="1, 1, 6\n 9, 1, 3"))
+        for name in ("line_load", "displacement", "reaction_force"):
+            scale = np.abs(exact.field(name)).max()
+            np.testing.assert_allclose(as_map.field(name), exact.field(name), rtol=1e-9, atol=1e-9 * scale)
+
+    @pytest.mark.parametrize("plane", ["XZ", "YZ"])
+    def test_other_planes(self, run, plane):
+        """The same field, with the axes of the map in other places."""
+        k = ["XYZ".index(axis) for axis in plane]
+        places = [np.array([-0.03, 0.03, 0.1]), np.array([-0.05, 0.0, 0.04])]
+        field = np.zeros((3, 3, 3))
+        field[..., k[0]], field[..., k[1]] = places[1][None] ** 2, places[0][:, None] ** 2
+        results = finished(run, slanted(plane_table(plane, *places, field)))
+        there = bilinear(field, *places, self.MIDDLES[:, k])
+        np.testing.assert_allclose(results.field("line_load"), self.expected(there), rtol=1e-8, atol=1e-10)
+
+    def test_lines_in_any_order_and_tables_that_add_up(self, run):
+        head, *lines = plane_table("XY", X, Y, self.FIELD).splitlines()
+        twice = "\n".join([head, *lines[::-1], "*LORENTZ", " WIRE, 0, 0, 1", head, *lines])
+        results = finished(run, slanted(twice + "\n"))
+        there = 2 * bilinear(self.FIELD, X, Y, self.MIDDLES[:, :2]) + [0, 0, 1]
+        np.testing.assert_allclose(results.field("line_load"), self.expected(there), rtol=1e-8, atol=1e-10)
+
+    def test_a_table_for_each_set_on_one_card(self, run):
+        head, *lines = plane_table("XY", X, Y, self.FIELD, name="1").splitlines()
+        others = [line.replace(" 1,", " 8,", 1) for line in lines]
+        results = finished(run, slanted("\n".join([head, *lines, *others]) + "\n"))
+        there = bilinear(self.FIELD, X, Y, self.MIDDLES[:, :2])
+        there[1:7] = 0
+        np.testing.assert_allclose(results.field("line_load"), self.expected(there), rtol=1e-8, atol=1e-10)
+
+    def test_from_python(self, tmp_path):
+        model, step = wire_with_current()
+        y, z = np.array([-0.01, 0.02]), np.array([-0.01, 0.03])
+        field = np.zeros((2, 2, 3))
+        field[..., 2] = y[:, None]
+        step.lorentz("WIRE", 1 + field, along="yz", places=(y, z))
+        np.testing.assert_allclose(model.run(tmp_path).field("line_load"), [[0, -CURRENT, CURRENT]] * 8, atol=1e-9)
+        for options, message in (
+            ({"along": "yz", "places": y}, "the places along each of both axes"),
+            ({"along": "yz", "places": (y, PLACES)}, r"need a field of shape \(2, 4, 3\), not \(2, 2, 3\)"),
+        ):
+            with pytest.raises(ValueError, match=message):
+                step.lorentz("WIRE", field, **options)
+
+    @pytest.mark.parametrize(
+        ("cards", "line", "message"),
+        [
+            (plane_table("XY", X[1:], Y, FIELD[1:]), 1, "element 1 has its middle at X = 0.005, Y = 0.01375, outside of"),
+            (plane_table("XY", X[:2], Y, FIELD[:2]), 1, "element 3 has its middle at X = 0.025"),
+            (plane_table("XY", X, Y[:1], FIELD[:, :1]), 1, "two places or more along each axis; along Y there is one"),
+            (plane_table("XY", X, Y, FIELD).rstrip().rpartition("\n")[0] + "\n", 4,
+             "4 times 3 places; 11 lines follow, at X = 0.12 there are 2"),
+            (plane_table("XY", X, Y, FIELD) + plane_table("XY", X, Y, FIELD).splitlines()[3] + "\n", 13, "is given twice"),
+            (plane_table("XY", X, Y, FIELD[..., [1, 0, 2]]), 2, "no divergence"),
+            ("*LORENTZ, ALONG=XY\n WIRE, 0, 0, 1, 0\n", 1, "second place"),
+            (plane_table("YX", X, Y, FIELD), 0, "ALONG"),
+        ],
+        ids=["before", "behind", "one", "missing", "twice", "divergence", "no place", "axes"],
+    )  # fmt: skip
+    def test_errors(self, litz, tmp_path, cards, line, message):
+        deck = slanted(cards)
+        (tmp_path / "deck.inp").write_text(deck)
+        done = litz("check", "deck.inp", cwd=tmp_path)
+        assert done.returncode == 1
+        assert message.lower() in done.stderr.lower(), done.stderr
+        assert done.stderr.count("error:") == 1
+        if line:
+            number = deck[: deck.index("*LORENTZ")].count("\n") + 1 + line
+            assert f"deck.inp:{number}:" in done.stderr, done.stderr
+
+    def test_wires_that_carry_no_current_are_named_once(self, litz, tmp_path):
+        deck = slanted(plane_table("XY", X, Y, self.FIELD)).replace("*ELECTRICAL CONDUCTIVITY\n", "**", 1)
+        (tmp_path / "deck.inp").write_text(deck)
+        done = litz("check", "deck.inp", cwd=tmp_path)
+        assert done.returncode == 1
+        assert done.stderr.count("carries no current") == 1, done.stderr

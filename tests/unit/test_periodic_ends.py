@@ -10,7 +10,7 @@ PLAN = {"radius": 0.41e-3, "ends": "periodic"}
 
 def ends_of(model, length):
     """Where wires begin, and where they end, moved down by the length."""
-    wires = [wire for group in model.groups.values() for wire in group.wires]
+    wires = [wire for name, group in model.groups.items() if "BEYOND" not in name for wire in group.wires]
     starts, ends = (np.array([model.x[wire.nodes[k] - 1] for wire in wires]) for k in (0, -1))
     return starts, ends - (0, 0, length)
 
@@ -22,8 +22,8 @@ def ends_of(model, length):
         ([[3]], [80e-3], 80e-3 / 3, 1e-9),
         ([[1, 6]], [[45e-3]], 15e-3, 1e-9),
         ([[3], [3]], [20e-3, 40e-3], 40e-3 / 3, 1e-9),
-        # bundles within bundles differ a little in length
-        ([[3], [3], [5]], [80e-3, 140e-3, 190e-3], 190e-3, 0.1 * 0.41e-3),
+        # bundles within bundles differ in length, and have as many turns
+        ([[3], [3], [5]], [80e-3, 140e-3, 190e-3], 190e-3, 1e-8),
     ],
 )
 def test_wires_end_where_others_begin(stages, lays, length, fit):
@@ -69,3 +69,47 @@ def test_a_jacket_takes_the_place_of_what_holds_a_cell_across():
     assert directions() == [1, 2, 3, 6]
     build.compact(model, 0.35)
     assert directions() == [3]
+
+
+def test_wires_of_two_stages_go_on_beyond_the_ends_as_images():
+    length = 40e-3 / 3
+    model = build.cable([[3], [3]], lay_lengths=[20e-3, 40e-3], length=length, **PLAN)
+    wires = list(model.groups["LAYER1"].wires)
+    nodes = {(round(x, 8), round(y, 8), round(z, 8)) for x, y, z in model.x[: wires[-1].nodes[-1]]}
+    for name, sense in (("BEYOND_PLUS", 1), ("BEYOND_MINUS", -1)):
+        group = model.groups[f"{name}_LAYER1"]
+        assert len(group.elements) == 2 * len(wires)
+        # each element leads on upwards, from or to the end of a wire
+        joints = {node for wire in wires for node in (wire.nodes[-1] if sense > 0 else wire.nodes[0],)}
+        assert joints == set(group.connectivity[:, (1 - sense) // 2].tolist()) & joints
+        assert (np.diff(model.x[group.connectivity - 1], axis=1)[:, 0, 2] > 0).all()
+        # and lies where another one lies in the cell, within the round-off of positions of eight digits
+        beyond = model.x[sorted(set(group.nodes) - joints)[0] - 1 : max(group.nodes)] - (0, 0, sense * length)
+        inside = np.array(sorted(nodes))
+        assert np.linalg.norm(beyond[:, None] - inside[None], axis=2).min(axis=1).max() < 1e-7
+    assert [pair.interaction.name for pair in model.contacts] == ["TOUCH", "TOUCH", "BEYOND", "BEYOND"]
+
+
+@pytest.mark.parametrize(
+    ("stages", "lays", "length", "beyond"),
+    [
+        ([[3]], [80e-3], 80e-3 / 3, False),
+        ([[1, 6]], [[45e-3]], 15e-3, False),
+        ([[1, 6, 12]], [[45e-3, -45e-3]], 7.5e-3, True),
+    ],
+)
+def test_wires_go_on_where_they_cross_others(stages, lays, length, beyond):
+    model = build.cable(stages, lay_lengths=lays, length=length, **PLAN)
+    assert any(name.startswith("BEYOND") for name in model.groups) == beyond
+
+
+def test_a_jacket_is_on_the_wires_of_the_cell_alone():
+    """But for the axes at the ends, which there follow what lies beyond them: 1e-4 of the radius."""
+    model = build.cable([[3], [3]], lay_lengths=[20e-3, 40e-3], length=40e-3 / 3, **PLAN)
+    plain = build.cable([[3], [3]], radius=0.41e-3, lay_lengths=[20.2576e-3, 40e-3], length=40e-3 / 3, ends="sliding")
+    for one in (model, plain):
+        build.compact(one, 0.48)
+    assert model.contacts[-1].first == "LAYER1"
+    assert model.surfaces["JACKET"].radius == pytest.approx(plain.surfaces["JACKET"].radius, rel=2e-4)
+    shrunk = [one.amplitudes["JACKET"].a[-1] for one in (model, plain)]
+    assert shrunk[0] == pytest.approx(shrunk[1], rel=2e-4)

@@ -12,10 +12,11 @@ import numpy as np
 
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model
 from ..model.wires import Wire
+from .beyond_ends import Passage, go_on_beyond
 from .geometry import rounded, smallest_gap
 from .helices import Lay
 from .layers import Layer, radius_of_layer
-from .periodic_ends import tie_ends, whole_turns
+from .periodic_ends import STRETCH, tie_ends, whole_turns
 from .strand_groups import Materials, add_strands, hold_ends
 from .winding import StraightAxis, WoundAxis, points
 from .wraps import Wrap, wrap_bundles
@@ -109,7 +110,9 @@ def strand(
     With periodic ends each wire goes on in one that begins where it ends, a part of a turn further. Lay lengths are changed, by
     10 % at most, so that this is so, which the comments of the deck say. Displacements and rotations of both ends are alike
     but for a stretch along z, the displacement of the node set STRETCH (`model.press(-d)` stretches by d; without it the cell is
-    free to); potentials are not. Contacts do not reach beyond the ends: there wires touch as ends of wires do.
+    free to); potentials are not. Where wires cross, of several layers or stages, they go on by two elements beyond both ends, the
+    groups BEYOND_PLUS_LAYER1, BEYOND_MINUS_LAYER1, ..., as images of those that they go on in: so contacts near the ends are
+    those of wires without ends. These elements have next to no stiffness and carry no current.
 
     Examples
     --------
@@ -269,6 +272,7 @@ class _Plan:
         else:
             raise ValueError("the wires overlap for any gap: the lay is too short")
         model.comments += remarks
+        passages: list[Passage] = []
         if ends == "periodic":
             model.comments += [
                 f"lay of {new.lay_length:.6g} m, for {old.lay_length:.6g}, so that both ends are alike"
@@ -276,12 +280,15 @@ class _Plan:
                 for old, new in zip(before, after, strict=True)
                 if new.at > 0
             ]
-            tie_ends(model, self.length)
+            passages = tie_ends(model, self.length)
         else:
             hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
         if wrap is not None:
             wrap_bundles(model, wrap, interaction, sum(self.stages[-1]) if len(self.stages) > 1 else 1)
+        # of a single layer each cross-section is like any other
+        if passages and sum(layer.at > 0 for stage in laid for layer in stage) > 1:
+            go_on_beyond(model, passages, STRETCH, interaction)
         return model
 
     def _laid(self, room: float, enlarge: bool) -> list[list[Layer]]:

@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
-from ..model import Friction, Hertz, Linear, Model, NamedBehaviour, Step
+from ..model import Friction, Hertz, Linear, Model, NamedBehaviour, Step, WireGroup
 from ..model.surfaces import RigidSurface
+from .beyond_ends import SLENDER, own_groups
 from .periodic_ends import leave_to_jacket
 from .plates import axes_of
 
@@ -37,8 +38,7 @@ def compact(
     ----------
     model : Model
         A cable or strand along z, with ends that are free across it: `cable(..., ends="sliding")`, or "periodic", which are then
-        held along z only (for cables of one stage: crossings of several slide over the ends of a cell, where they are lost, and
-        the run ends there). No step has been added.
+        held along z only. No step has been added.
     void_fraction : float
         Part of the section of the jacket that is not metal, at the end of the step.
     shape : {"round", "square"}
@@ -85,8 +85,9 @@ def compact(
         raise ValueError(f'shape must be "round" or "square", not {shape!r}')
     if model.steps:
         raise ValueError("a cable is compacted before anything else; this model has a step already")
-    points, radius = axes_of(model, list(model.groups.values()))
-    metal = _section_of_metal(model, np.ptp(points[:, 2]))
+    wires = own_groups(model)
+    points, radius = axes_of(model, list(wires))
+    metal = _section_of_metal(model, wires, np.ptp(points[:, 2]))
     if shape == "round":
         size = float((np.hypot(points[:, 0], points[:, 1]) + radius).max())
         filled = math.pi * size**2
@@ -103,22 +104,25 @@ def compact(
     leave_to_jacket(model)
     surfaces = [_bore(model, size, shrunk, total)] if shape == "round" else _planes(model, size)
     for surface in surfaces:
-        model.contact(list(model.groups.values()), surface, behaviour=behaviour, friction=friction)
+        model.contact(list(wires), surface, behaviour=behaviour, friction=friction)
     step = model.step("COMPACT", increment=total / increments, total=total)
     if shape == "square":
         for surface, (x, y) in zip(surfaces, _SIDES.values(), strict=True):
             step.move(surface, "x" if x else "y", size * (1 - shrunk) * (x + y))
-    step.controls("STABILIZE", factor=damping)
+    # it refers to the smallest stiffness of all elements, those beyond the ends of a cell among them
+    step.controls("STABILIZE", factor=damping if len(wires) == len(model.groups) else damping / SLENDER)
     if "MINUS" in model.node_sets:
         model.ground = "MINUS"
     return step
 
 
-def _section_of_metal(model: Model, length: float) -> float:
+def _section_of_metal(model: Model, wires: list[WireGroup], length: float) -> float:
     """Volume of the wires over the length of the cable [m^2]."""
-    lengths = np.linalg.norm(np.diff(model.x[model.connectivity], axis=1)[:, 0], axis=1)
-    radii = np.concatenate([np.full(len(group.elements), group.radius) for group in model.groups.values()])
-    return float((math.pi * radii**2 * lengths).sum()) / length
+    volume = 0.0
+    for group in wires:
+        lengths = np.linalg.norm(np.diff(model.x[group.connectivity - 1], axis=1)[:, 0], axis=1)
+        volume += math.pi * group.radius**2 * float(lengths.sum())
+    return volume / length
 
 
 def _bore(model: Model, size: float, shrunk: float, total: float) -> RigidSurface:

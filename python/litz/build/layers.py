@@ -28,6 +28,9 @@ class Layer:
         Lay length [m]: positive right-handed, negative left-handed; infinite for a core.
     remark : str
         What a user should know about it; empty: nothing.
+    turns : float
+        Turns over the length of the cable, which each member then makes, whatever the length of what it is wound around;
+        0: the lay length says.
     """
 
     count: int
@@ -35,6 +38,7 @@ class Layer:
     at: float
     lay_length: float
     remark: str = ""
+    turns: float = 0.0
 
     @property
     def outside(self) -> float:
@@ -46,7 +50,10 @@ class Layer:
         if self.at == 0:
             return [core]
         step = 2 * math.pi / self.count
-        return [WoundAxis(core, self.at, self.lay_length, step * number) for number in range(self.count)]
+        lay = self.lay_length
+        if self.turns > 0:
+            lay = math.copysign(float(core.arc([core.length])[0]) / self.turns, lay)
+        return [WoundAxis(core, self.at, lay, step * number) for number in range(self.count)]
 
 
 def radius_of_layer(

@@ -9,13 +9,14 @@ from dataclasses import replace
 import numpy as np
 
 from ..model import Model
+from .beyond_ends import Passage
 from .layers import Layer
 from .winding import StraightAxis, WoundAxis
 
 #: Largest part of a lay length by which it is changed so that ends fit
 _CHANGE = 0.1
-#: Distance of ends from those of the next piece, in radii of the wires: arcs of bundles within bundles differ a little
-_FIT = 0.2
+#: Distance of ends from those of the next piece, in radii of the wires, that is round-off
+_FIT = 1e-3
 #: What the stretch of the cell is prescribed at, a node of no element
 STRETCH = "STRETCH"
 
@@ -63,10 +64,10 @@ def _fitted(layer: Layer, arc: float, parts: int, number: int) -> Layer:
             f"end; periodic ends need a whole number of turns{over}: its lay would be changed by {100 * change:.2g} %, more "
             f"than {100 * _CHANGE:.0f} %. A length of {shorter:.4g} or {longer:.4g} times this one fits"
         )
-    return replace(layer, lay_length=math.copysign(arc * parts / whole, layer.lay_length))
+    return replace(layer, lay_length=math.copysign(arc * parts / whole, layer.lay_length), turns=whole / parts)
 
 
-def tie_ends(model: Model, length: float) -> None:
+def tie_ends(model: Model, length: float) -> list[Passage]:
     """Let each upper end of a wire move and turn as the lower end does that it goes on in, but for a stretch along z.
 
     Parameters
@@ -76,6 +77,11 @@ def tie_ends(model: Model, length: float) -> None:
         the lengthening of the cell. One wire is held at its lower end, so that the cell neither moves nor turns as a whole.
     length : float
         Length of the cable [m].
+
+    Returns
+    -------
+    list of Passage
+        As which wire each one goes on.
     """
     wires = [(name, group.radius, wire) for name, group in model.groups.items() for wire in group.wires]
     lower = np.array([model.x[wire.nodes[0] - 1] for _, _, wire in wires])
@@ -102,6 +108,10 @@ def tie_ends(model: Model, length: float) -> None:
     model.fix(held, "x", "y", "rz")
     model.fix(held, "z")
     model.guides[STRETCH] = 1.0
+    return [
+        Passage(model.groups[name], wire, wires[next_one][2])
+        for (name, _, wire), next_one in zip(wires, goes_on.tolist(), strict=True)
+    ]
 
 
 def leave_to_jacket(model: Model) -> None:

@@ -10,6 +10,7 @@ from ..model import Friction, Hertz, Linear, Model, NamedBehaviour, WireGroup
 from ..model.surfaces import RigidSurface
 from ..wires.chains import find_wires
 from ..wires.curves import element_curves, hermite
+from .beyond_ends import own_groups
 
 #: Places on each element at which its distance from the plates is measured
 _PLACES = 17
@@ -63,7 +64,7 @@ def press_plates(
         raise ValueError(f"clearance must not be negative, found {clearance:g}")
     if not model.groups:
         raise ValueError("the model has no wires that plates could press")
-    chosen = list(model.groups.values()) if wires is None else wires
+    chosen = list(own_groups(model)) if wires is None else wires
     along = np.eye(3)["xyz".index(axis)]
     points, radius = axes_of(model, chosen)
     heights = points @ along

@@ -7,6 +7,7 @@ from numbers import Integral
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..deck.keyword_table import check_card, check_name, keyword
 from ..deck.lines import CardSpec
@@ -250,24 +251,34 @@ class ElementLoad:
 
 
 def field_rows(
-    field: Sequence[float] | Sequence[Sequence[float]],
+    field: ArrayLike,
     gradient: Sequence[Sequence[float]] | None,
     along: str | None,
-    places: Sequence[float] | None,
+    places: Sequence[float] | Sequence[Sequence[float]] | None,
 ) -> list[list[float]]:
     """Values of the lines of `*LORENTZ`; the arguments are those of `Step.lorentz`."""
     if (along is None) != (places is None):
         raise ValueError("a field at places needs both, along= and places=")
     values = np.asarray(field, dtype=float)
-    if places is None:
+    if along is None or places is None:
         # the deck has the derivatives by x first
         rest = [] if gradient is None else [float(gradient[i][j]) for j in range(3) for i in range(3)]
         return [values.tolist() + rest]
     if gradient is not None:
         raise ValueError("a field at places has no gradient= of its own")
-    if values.shape != (len(places), 3):
-        raise ValueError(f"{len(places)} places need a field of shape ({len(places)}, 3), not {values.shape}")
-    return np.column_stack([values, np.asarray(places, dtype=float)]).tolist()
+    if len(along) == 1:
+        if values.shape != (len(places), 3):
+            raise ValueError(f"{len(places)} places need a field of shape ({len(places)}, 3), not {values.shape}")
+        return np.column_stack([values, np.asarray(places, dtype=float)]).tolist()
+    if len(places) != 2 or any(np.ndim(one) != 1 for one in places):
+        raise ValueError(
+            f"a field over a plane, along={along!r}, needs the places along each of both axes: places=(first, second)"
+        )
+    axes = [np.asarray(one, dtype=float) for one in places]
+    shape = (len(axes[0]), len(axes[1]), 3)
+    if values.shape != shape:
+        raise ValueError(f"{shape[0]} times {shape[1]} places need a field of shape {shape}, not {values.shape}")
+    return np.dstack([values, *np.meshgrid(*axes, indexing="ij")]).reshape(-1, 5).tolist()
 
 
 def grouped(

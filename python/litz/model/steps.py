@@ -4,6 +4,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from ..deck.keyword_table import check_card, keyword, squeezed
 from ..deck.lines import CardSpec
 from .increments import SMALLEST_FRACTION, first_and_largest, procedure_parameters
@@ -322,11 +324,11 @@ class Step:
     def lorentz(
         self,
         elements: str | WireGroup,
-        field: Sequence[float] | Sequence[Sequence[float]],
+        field: ArrayLike,
         gradient: Sequence[Sequence[float]] | None = None,
         amplitude: Amplitude | str | None = None,
         along: str | None = None,
-        places: Sequence[float] | None = None,
+        places: Sequence[float] | Sequence[Sequence[float]] | None = None,
     ) -> None:
         """Force of a magnetic field on the currents in wires, as `*LORENTZ` gives it.
 
@@ -334,7 +336,7 @@ class Step:
         ----------
         elements : str or WireGroup
             Where.
-        field : (3) array or (n, 3) array
+        field : (3), (n, 3) or (n, m, 3) array
             Flux density at the origin [T], or at each of the `places`, linear between them.
         gradient : (3, 3) array, optional
             Its derivatives [T/m]: row `i` holds those of component `i` by x, y and z. The trace must be zero.
@@ -342,6 +344,7 @@ class Step:
             Factor over time.
         along, places : {"x", "y", "z"} and (n) array, optional
             Axis, and rising places along it [m] about the middles of all elements; the field along the axis stays the same.
+            Or {"xy", "xz", "yz"} and a pair of an (n) and an (m) array: a map over a plane, the same along the third axis.
         """
         table = len(self.element_loads) if along else 0
         for row in field_rows(field, gradient, along, places):

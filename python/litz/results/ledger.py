@@ -15,7 +15,7 @@ from .text_tables import old_names_of, read_csv, read_last_column, read_units
 _FRICTION = np.array(["none", "stick", "slip"])
 
 
-def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np.ndarray) -> Table:
+def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np.ndarray, images: np.ndarray) -> Table:
     """The contact ledger of a text table: from the file of contacts beside it, where that has all of it.
 
     Parameters
@@ -24,13 +24,18 @@ def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np
         The text table.
     steps, increments, times : ndarray
         Of each increment of the run, (n_increments).
+    images : ndarray
+        Numbers of the elements whose contacts are left out.
     """
     units = read_units(path)
     try:
         columns = _columns(path, list(units), {"step": steps, "increment": increments, "time": times})
+        ledger = Table(columns, units, old_names_of(columns))
     except (OSError, RuntimeError, KeyError):
-        return read_csv(path)
-    return Table(columns, units, old_names_of(columns))
+        ledger = read_csv(path)
+    if not len(images) or not ledger.n_rows:
+        return ledger
+    return ledger.where(~(np.isin(ledger["element_1"], images) | np.isin(ledger["element_2"], images)))
 
 
 def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

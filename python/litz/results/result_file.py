@@ -14,7 +14,7 @@ import numpy as np
 from ..base.names import unknown_field, unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
-from ..wires import Wire, WireArcs, find_wires, numbered_wires, wire_arcs
+from ..wires import BEYOND, Wire, WireArcs, find_wires, numbered_wires, wire_arcs, without_images
 from .found_files import find_result_file
 from .ledger import read_ledger
 from .outlines import SectionOutline
@@ -186,14 +186,21 @@ class ResultFile:
 
     @cached_property
     def wires(self) -> list[Wire]:
-        """The wires: elements one after another between free ends and branches, in the order of their first elements."""
+        """The wires, without `images`: elements between free ends and branches, in the order of their first elements."""
         names = ("wire", "place_in_wire", "direction_in_wire")
         with self._open() as file:
             cells = file["VTKHDF/CellData"]
             if "wire" not in cells:
                 # files of litz 0.1
                 return find_wires(self.elements)
-            return numbered_wires(self.elements, *(cells[name][()] for name in names))
+            wires = numbered_wires(self.elements, *(cells[name][()] for name in names))
+        return without_images(wires, self.images)
+
+    @cached_property
+    def images(self) -> np.ndarray:
+        """Which elements are images of others, beyond the periodic ends of a cell, (n_elements)."""
+        rows = [row for name in BEYOND for row in self.element_sets.get(name, ())]
+        return np.isin(np.arange(len(self.elements)), rows)
 
     @cached_property
     def wire_arcs(self) -> WireArcs:
@@ -362,10 +369,9 @@ class ResultFile:
 
     @property
     def contacts(self) -> Table:
-        """The contact ledger: a row for each contact at each increment."""
-        return self._whole(
-            self._table("_contacts.csv", lambda path: read_ledger(path, self.steps, self.increments, self.times))
-        )
+        """The contact ledger: a row for each contact at each increment, without those of `images`."""
+        rest = (self.steps, self.increments, self.times, self.element_ids[self.images])
+        return self._whole(self._table("_contacts.csv", lambda path: read_ledger(path, *rest)))
 
     @cached_property
     def contact_units(self) -> dict[str, str]:

@@ -1,9 +1,10 @@
 """Wires as chains of elements, and their smooth axes."""
 
-from .chains import Wire, find_wires, numbered_wires
+from .chains import BEYOND, Wire, find_wires, numbered_wires, without_images
 from .curves import WireArcs, arc_lengths, element_curves, end_tangents, hermite, hermite_slope, rotate, wire_arcs
 
 __all__ = [
+    "BEYOND",
     "Wire",
     "WireArcs",
     "arc_lengths",
@@ -15,4 +16,5 @@ __all__ = [
     "numbered_wires",
     "rotate",
     "wire_arcs",
+    "without_images",
 ]

@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+#: Element sets of what wires of a cell with periodic ends have beyond these: images of elements within the cell
+BEYOND = ("BEYOND_PLUS", "BEYOND_MINUS")
+
 
 @dataclass(frozen=True)
 class Wire:
@@ -64,6 +67,27 @@ def _follow_each_other(elements: np.ndarray) -> list[Wire] | None:
         Wire(np.append(elements[chain, 0], elements[chain[-1], 1]), chain, np.ones(len(chain), dtype=int))
         for chain in chains
     ]
+
+
+def without_images(wires: list[Wire], is_image: np.ndarray) -> list[Wire]:
+    """The wires without elements at their ends that are images of others.
+
+    Parameters
+    ----------
+    wires : list of Wire
+        All wires.
+    is_image : ndarray of bool
+        Of each element, (n_elements).
+    """
+    if not is_image.any():
+        return wires
+    trimmed = []
+    for wire in wires:
+        own = np.flatnonzero(~is_image[wire.elements])
+        if len(own):
+            kept = slice(own[0], own[-1] + 1)
+            trimmed.append(Wire(wire.nodes[own[0] : own[-1] + 2], wire.elements[kept], wire.signs[kept]))
+    return trimmed
 
 
 def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, direction: np.ndarray) -> list[Wire]:

@@ -58,10 +58,12 @@ def wire_arcs(nodes: np.ndarray, elements: np.ndarray, wires: list[Wire]) -> Wir
     """Where the elements are along their wires."""
     start, length, sign = arc_lengths(nodes, elements, wires)
     number = np.zeros(len(elements), dtype=int)
+    own = np.zeros(len(elements), dtype=bool)
     for i, wire in enumerate(wires):
         number[wire.elements] = i
+        own[wire.elements] = True
     closed = np.array([len(wire.elements) > 1 and wire.nodes[0] == wire.nodes[-1] for wire in wires], dtype=bool)
-    return WireArcs(number, start, length, sign, np.bincount(number, length, len(wires)), closed)
+    return WireArcs(number, start, length, sign, np.bincount(number, own * length, len(wires)), closed)
 
 
 def end_tangents(nodes: np.ndarray, wires: list[Wire]) -> np.ndarray:
