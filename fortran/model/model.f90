@@ -306,6 +306,8 @@ module litz_model
       logical :: has_section_results = .false.
       !> Fields are written at every n-th increment, and at the last of the step
       integer :: output_frequency = 1
+      !> Contacts are in the ledger at every n-th increment, and at the last of the step; 0: at none
+      integer :: contact_frequency = 1
       !> A run can go on from every n-th increment, and from the last of the step; 0: from none
       integer :: restart_frequency = 0
       type(controls_t) :: controls
