@@ -120,7 +120,7 @@ class Viewer {
       const places = Object.fromEntries(Object.entries(data.spots).map(([name, text]) => [name, floats(text)]));
       this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
       this.spots.set(places, factor, n ? data.contacts[by] : [], model.largest[by]);
-      this.find("spot-note").textContent = [this.spotNote(by, n), model.shape_text].filter(Boolean).join("; ");
+      this.find("spot-note").textContent = [this.spotNote(by, n), model.contact_texts[this.index], model.shape_text].filter(Boolean).join("; ");
    }
 
    updateZones(factor) {
