@@ -1,7 +1,7 @@
 !> Wires that are drawn as curves with so few elements that each node is a kink.
 !>
-!> A kink has a round joint, which takes part in contact beside the places along the elements: where such a curve lies along
-!> another wire, or along itself as turns of a coil do, it has too much force. Source: theory, ends and kinks.
+!> A kink has a round joint, which takes part in contact beside the places along the elements: where such a curve lies
+!> along another wire, or along itself as turns of a coil do, it has too much force. Source: theory, ends and kinks.
 module litz_coarse_curves
    use litz_kinds, only: dp, pi
    use litz_contact_points, only: contact_set_t
@@ -55,9 +55,9 @@ contains
          to_text(model%element_id(ordered(first(example + 1) - 1)))
       if (n > 1) text = text//' (and '//to_text(n - 1)//' more)'
       text = text//' is drawn with '//to_text(nint(2*pi/worst))//' elements a turn: it turns by '// &
-         to_text(nint(worst*180/pi))//' degrees at each of several nodes in a row, and nodes that turn by more than '// &
-         to_text(nint(corner_angle*180/pi))//' degrees are kinks, with round joints, by which a curve that lies along'// &
-         ' another wire or its own turns has too much force; take at least '// &
+         to_text(nint(worst*180/pi))//' degrees at each of several nodes in a row, and nodes that turn by more'// &
+         ' than '//to_text(nint(corner_angle*180/pi))//' degrees are kinks, with round joints, by which a curve that'// &
+         ' lies along another wire or its own turns has too much force; take at least '// &
          to_text(ceiling(2*pi/corner_angle) + 1)//' elements a turn'
    end function describe_coarse_curves
 

@@ -272,8 +272,7 @@ module litz_contact_points
       integer :: last_id = 0
       type(left_dents_t) :: left_dents
       !> How often the shares of line contacts have been renewed in this increment
-      integer :: n_settled = 0
-      integer :: n_anticipated = 0
+      integer :: n_settled = 0, n_anticipated = 0
       !> They have changed by little, which counts from the next increment on
       logical :: shares_wait = .false.
       !> Largest overlap of the reference configuration that an interference fit resolves, one per contact pair [m];

@@ -78,8 +78,8 @@ contains
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
       call k%add(choice('PER', 'SPOT|LENGTH', &
          'LENGTH: the resistance of CONSTANT and TABLE is per length [ohm m], the force of TABLE per length [N/m],'// &
-         ' of wires that touch along lines and on rigid surfaces, and of wires that cross over the length along which'// &
-         ' they overlap, so that a wire that turns goes from point to line without a step (litz extension)', &
+         ' of wires that touch along lines and on rigid surfaces, and of wires that cross over the length along'// &
+         ' which they overlap, so that a wire that turns goes from point to line without a step (litz extension)', &
          default='SPOT'))
       call add_law_parameters(k, all_spot_laws())
       call add_law_data(k, 'LAW', all_spot_laws())

@@ -219,7 +219,7 @@ contains
       !> 0 for a law that has none
       real(dp), intent(out) :: penalty
       !> Its unit
-      character(len=*), intent(out) :: unit
+      character(len=8), intent(out) :: unit
 
       penalty = 0
       unit = 'N/m'

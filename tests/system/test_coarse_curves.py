@@ -96,6 +96,8 @@ def test_turns_that_are_joined_by_kinks_are_refused_with_the_reason(litz, tmp_pa
     (tmp_path / "deck.inp").write_text(deck(coil(3, 12, 1.2)))
     process = litz("run", "deck.inp", cwd=tmp_path)
     assert process.returncode == 1
-    assert "where the way from one to the other, along wires that meet at nodes, is shorter than 8 radii" in process.stderr
+    assert (
+        "where the way from one to the other, along wires that meet at nodes, is shorter than 8 radii" in process.stderr
+    )
     assert "a node at which a wire turns by more than 20 degrees joins two wires, too" in process.stderr
     assert "Draw bends with smaller turns at each node" in process.stderr

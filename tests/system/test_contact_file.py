@@ -21,7 +21,9 @@ NOT_WRITTEN = "contacts were not written at this increment (*CONTACT FILE)"
 
 def deck(first="", second=""):
     """Two wires pressed together along a line, with a current, in two steps; cards of the steps."""
-    return pressed(2e-6, law=HERTZ + spot("HERTZ"), cards=(VOLT, first), static="0.2, 1., 1e-3, 0.2") + SECOND.format(second)
+    return pressed(2e-6, law=HERTZ + spot("HERTZ"), cards=(VOLT, first), static="0.2, 1., 1e-3, 0.2") + SECOND.format(
+        second
+    )
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +121,9 @@ class TestIncrementsWithoutContacts:
     )
     def test_is_an_error_in_words(self, runs, ask):
         results = runs("*CONTACT FILE, FREQUENCY=2\n")
-        words = "has no contacts of increment 1 of step 1 (*CONTACT FILE, FREQUENCY=): there are those of 0:0, 1:2, 1:4, "
+        words = (
+            "has no contacts of increment 1 of step 1 (*CONTACT FILE, FREQUENCY=): there are those of 0:0, 1:2, 1:4, "
+        )
         with pytest.raises(LookupError, match=re.escape(words)):
             ask(results)
 
@@ -155,7 +159,9 @@ class TestIncrementsWithoutContacts:
         assert "increments have no contacts in the ledger (*CONTACT FILE)" in page
         assert ("not written (*CONTACT FILE)" in page) == (frequency == 0)
         data = WebData(results, list(range(len(results.times))))
-        assert json.loads(data.model())["contact_texts"] == ["" if has else NOT_WRITTEN for has in results.has_contacts()]
+        assert json.loads(data.model())["contact_texts"] == [
+            "" if has else NOT_WRITTEN for has in results.has_contacts()
+        ]
         for to in ("csv", "vtkhdf"):
             litz.export(results, to, tmp_path)
         rows = (tmp_path / f"{results.path.stem}_zones.csv").read_text().splitlines()[1:]
@@ -188,12 +194,21 @@ def test_a_bad_frequency_is_an_error(litz, tmp_path, frequency):
     (tmp_path / "deck.inp").write_text(deck(f"*CONTACT FILE, FREQUENCY={frequency}\n"))
     process = litz("run", "deck.inp", cwd=tmp_path)
     assert process.returncode == 1
-    assert "FREQUENCY" in process.stderr and frequency.upper() in process.stderr.upper()
+    assert "FREQUENCY" in process.stderr
+    assert frequency.upper() in process.stderr.upper()
 
 
 def test_a_run_that_gives_up_shows_the_contacts_of_its_last_iterate(litz, tmp_path):
     # an overlap of more than 5 % of the radius
-    text = pressed(2e-4, law=HERTZ + spot("HERTZ"), cards=(VOLT, "*CONTACT FILE, FREQUENCY=0\n",), static="1., 1.")
+    text = pressed(
+        2e-4,
+        law=HERTZ + spot("HERTZ"),
+        cards=(
+            VOLT,
+            "*CONTACT FILE, FREQUENCY=0\n",
+        ),
+        static="1., 1.",
+    )
     (tmp_path / "deck.inp").write_text(text)
     process = litz("run", "deck.inp", cwd=tmp_path)
     assert process.returncode == 2

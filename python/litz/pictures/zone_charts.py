@@ -141,9 +141,7 @@ def _forces_and_lengths(axes: Axes, results: Results, table: Table) -> None:
     factor, unit = engineering(table["max_force_per_length"], table.units["max_force_per_length"])
     right = axes.twinx()
     right.grid(visible=False)
-    right.plot(
-        times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3)
-    )
+    right.plot(times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3))
     right.set_ylabel(label("largest force per length", unit), color=colour_of(1, 3))
     right.set_ylim(bottom=0)
 

@@ -256,7 +256,9 @@ def worst_contacts(results: Results) -> str:
     """The deepest contacts of the run, those with the largest forces, and those with the densest currents."""
     ledger = results.contacts
     missing = (~results.has_contacts()).sum()
-    left_out = f'<p class="note">{missing} increments have no contacts in the ledger (*CONTACT FILE).</p>' if missing else ""
+    left_out = (
+        f'<p class="note">{missing} increments have no contacts in the ledger (*CONTACT FILE).</p>' if missing else ""
+    )
     if not ledger.n_rows:
         return left_out or "<p>No wires have touched each other.</p>"
     pressures = pressures_in_words(results)
@@ -274,7 +276,7 @@ def worst_contacts(results: Results) -> str:
 
 
 def line_contact(results: Results) -> list[str]:
-    """The zones of line contact and the pairs of wires at the last increment; empty if there are none, or they are not written."""
+    """The zones of line contact and the pairs of wires at the last increment; empty if there are none, or none written."""
     if not results.has_contacts()[-1]:
         return []
     zones = results.contact_zones()

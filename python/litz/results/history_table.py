@@ -34,7 +34,10 @@ def history_table(results: ResultFile) -> str:
     rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MAX_ROWS)).round().astype(int))
     cells = [heads, *[[f"[{unit}]" if unit else "" for unit in units]] * any(units)]
     has = ~np.isnan(contacts["contacts"])
-    cells += [[f"{column[row]:.7g}" if has[row] or k not in (1, 2) else "-" for k, column in enumerate(columns)] for row in rows]
+    cells += [
+        [f"{column[row]:.7g}" if has[row] or k not in (1, 2) else "-" for k, column in enumerate(columns)]
+        for row in rows
+    ]
     widths = [max(len(line[i]) for line in cells) for i in range(len(heads))]
     lines = _kinds(contacts.where(has))
     if not has[rows].all():

@@ -373,7 +373,9 @@ class ResultFile:
 
     def has_contacts(self, steps: np.ndarray | None = None, increments: np.ndarray | None = None) -> np.ndarray:
         """Whether the contacts of each increment (default: those in the file) are in the ledger: `*CONTACT FILE`."""
-        steps, increments = (self.steps, self.increments) if steps is None or increments is None else (steps, increments)
+        steps, increments = (
+            (self.steps, self.increments) if steps is None or increments is None else (steps, increments)
+        )
         with self._open() as file:
             return contacts_written(file, steps, increments)
 

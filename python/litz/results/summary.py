@@ -36,7 +36,9 @@ def summary(results: ResultFile) -> str:
         parts.append("\n".join([f"{len(found)} warning{'s' * (len(found) > 1)}:", *map(_warning, found)]))
     pressures = pressure_lines(results)
     if pressures:
-        of_all = "over all increments" if results.has_contacts().all() else "over the increments with contacts in the ledger"
+        of_all = (
+            "over all increments" if results.has_contacts().all() else "over the increments with contacts in the ledger"
+        )
         parts.append("\n".join([f"{of_all}:", *map(_tidy, pressures)]))
     if len(results.times):
         parts.append(_last_increment(results))
