@@ -1,8 +1,10 @@
 !> What is wrong with the contacts of a converged state, so that it is no solution.
 module litz_contact_findings
-   use litz_kinds, only: dp
+   use litz_contact_joints, only: joined_radii
+   use litz_kinds, only: dp, pi
    use litz_model, only: model_t
    use litz_text, only: to_text
+   use litz_wires, only: corner_angle
    implicit none
    private
    public :: finding_t, worse_of
@@ -43,6 +45,8 @@ module litz_contact_findings
       character(len=40) :: law_title = ''
       !> What of the surface interaction does not serve contact along a line; blank: all of it does
       character(len=120) :: obstacle = ''
+      !> A contact has become what its laws do not serve: smaller increments come to the same
+      logical :: is_final = .false.
       !> Index of the rigid surface; 0: both are wires
       integer :: surface = 0
    contains
@@ -154,8 +158,10 @@ contains
       case (finding_second)
          text = 'Each pair of elements can have four contacts: use shorter elements. '
       case (finding_joined)
-         text = 'Elements that share a node, and those of wires that meet at a node within 8 radii of it, have no'// &
-            ' contact: use shorter elements, or bend the wire less. '
+         text = 'Elements of two wires have no contact where the way from one to the other, along wires that meet'// &
+            ' at nodes, is shorter than '//to_text(nint(joined_radii))//' radii; a node at which a wire turns by more'// &
+            ' than '//to_text(nint(corner_angle*180/pi))//' degrees joins two wires, too. Draw bends with smaller'// &
+            ' turns at each node, use shorter elements, or bend the wire less. '
       case (finding_tight)
          text = 'A bend with a radius of curvature below the radius of the wire folds into itself, which no law of'// &
             ' contact describes: bend the wire less, or model a thinner one. '

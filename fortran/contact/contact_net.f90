@@ -15,7 +15,7 @@ module litz_contact_net
    use litz_line_contact, only: serves_lines, line_obstacle
    use litz_missed_contacts, only: inspect_pair, is_at
    use litz_model, only: model_t, axis_linear
-   use litz_normal_law, only: penalty_that_holds
+   use litz_normal_law, only: find_stiffer_penalty
    use litz_parallel, only: worth_threads
    use litz_wires, only: wires_t
    implicit none
@@ -38,13 +38,14 @@ contains
       type(contact_set_t), intent(in) :: contact
       !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
       real(dp), intent(in) :: x(:, :), rotation(:, :, :)
-      type(finding_t) :: worst
+      type(finding_t) :: worst, found_here
       type(finding_t), allocatable :: found(:)
       type(points_by_wire_t) :: by_wire
       type(points_by_place_t) :: by_place
       !> The candidate has a point (n_candidates)
       logical, allocatable :: has_point(:)
       integer :: i, n, roles(2), pair
+      logical :: is_final
 
       by_wire = chain_by_wire(wires, contact%points)
       by_place = chain_by_place(size(contact%places%xi), contact%line_points)
@@ -66,13 +67,17 @@ contains
       do i = 1, size(found)
          worst = worse_of(worst, found(i))
       end do
+      is_final = .false.
       do i = 1, size(contact%points)
-         worst = worse_of(worst, inspect_point(model, wires, elements, contact%points, by_wire, contact%points(i)))
+         found_here = inspect_point(model, wires, elements, contact%points, by_wire, contact%points(i))
+         is_final = is_final .or. found_here%is_final
+         worst = worse_of(worst, found_here)
       end do
       do i = 1, size(contact%line_points)
          worst = worse_of(worst, inspect_line_point(model, elements, contact%line_points(i)))
       end do
       if (worst%kind /= finding_line) return
+      worst%is_final = is_final
       call find_contact_pair(model, wires, contact, worst%elements(1), worst%elements(2), roles, pair)
       if (pair > 0) worst%obstacle = line_obstacle(model%interactions(model%contact_pairs(pair)%interaction))
    end function inspect_contacts
@@ -95,7 +100,8 @@ contains
          finding%elements = [point%element_bar, point%element]
          finding%overlap = -point%gap/radius
          if (finding%overlap > allowed_penetration) finding%kind = finding_deep
-         finding%penalty = penalty_that_holds(law%normal, point%force, allowed_penetration*radius)
+         call find_stiffer_penalty(law%normal, point%force, -point%gap, allowed_penetration*radius, &
+            law%normal%line_penalty() > 0 .and. .not. point%force > 0, finding%penalty, finding%unit)
          finding%law_title = law%normal%title
          if (law%axis == axis_linear) then
             if (has_neighbour(wires, elements, points, by_wire, point)) finding%kind = finding_kink
@@ -108,6 +114,7 @@ contains
             /max(squared_sine(elements, point), tiny(1.0_dp)))
       end if
       if (half_length > longest_point*radius .and. .not. serves_lines(model, point%pair)) finding%kind = finding_line
+      finding%is_final = finding%kind == finding_line
       if (point%kinematics%distance <= 0) finding%kind = finding_passed
    end function inspect_point
 
@@ -123,8 +130,8 @@ contains
       if (finding%overlap > allowed_penetration) finding%kind = finding_deep
       associate (law => model%interactions(model%contact_pairs(point%pair)%interaction)%normal)
          finding%law_title = law%title
-         if (law%line_penalty() > 0) finding%penalty = law%line_penalty()*finding%overlap/allowed_penetration
-         finding%unit = 'N/m^2'
+         call find_stiffer_penalty(law, 0.0_dp, finding%overlap, allowed_penetration, .true., finding%penalty, &
+            finding%unit)
       end associate
       if (point%kinematics%distance <= 0) finding%kind = finding_passed
    end function inspect_line_point

@@ -78,7 +78,9 @@ contains
          ' friction: moved by more than the spot) (litz extension)', default='PRESENT FORCE'))
       call k%add(choice('PER', 'SPOT|LENGTH', &
          'LENGTH: the resistance of CONSTANT and TABLE is per length [ohm m], the force of TABLE per length [N/m],'// &
-         ' of wires that touch along lines and on rigid surfaces (litz extension)', default='SPOT'))
+         ' of wires that touch along lines and on rigid surfaces, and of wires that cross over the length along'// &
+         ' which they overlap, so that a wire that turns goes from point to line without a step (litz extension)', &
+         default='SPOT'))
       call add_law_parameters(k, all_spot_laws())
       call add_law_data(k, 'LAW', all_spot_laws())
       call finish(table, k)
@@ -112,7 +114,8 @@ contains
       call k%add(choice('LAW', names_of(all_heat_laws()), 'the law (litz extension)', required=.true.))
       call k%add(choice('PER', 'SPOT|LENGTH', &
          'LENGTH: the heat conductance of CONSTANT and TABLE is per length [W/(m K)], the force of TABLE per length'// &
-         ' [N/m], of wires that touch along lines and on rigid surfaces (litz extension)', default='SPOT'))
+         ' [N/m], of wires that touch along lines and on rigid surfaces, and of wires that cross over the length'// &
+         ' along which they overlap (litz extension)', default='SPOT'))
       call k%add(number('LORENZ', 'Lorenz number L of METAL [V^2/K^2]; without it that of each wire, lambda rho/T'// &
          ' at the contact', limit_positive))
       call k%add(number('FILM', 'resistance to heat of a film in the spot, times area [K m^2/W], of CONDUCTIVITY'// &

@@ -114,8 +114,8 @@ module litz_foreign_words
       ' requests'// &
       ' values over time', &
       role_idle), &
-      foreign_word_t('CONTACT OUTPUT|CONTACT FILE', '', '', 'leave it out: every contact is always written, to'// &
-      ' DECK_contacts.csv and .vtkhdf', &
+      foreign_word_t('CONTACT OUTPUT', '', '', 'leave it out: every contact is written to DECK_contacts.csv and'// &
+      ' .vtkhdf, as often as *CONTACT FILE says', &
       role_idle), &
       foreign_word_t('ENERGY OUTPUT|ENERGY FILE|INCREMENTATION OUTPUT', '', '', 'use *ENERGY PRINT', &
       role_idle), &
@@ -191,6 +191,9 @@ module litz_foreign_words
       foreign_word_t('NODE FILE|EL FILE', 'OUTPUT|NSET|ELSET|GLOBAL|SECTION FORCES|POSITION|TIME POINTS|'// &
       'FREQUENCYF|CONTACT ELEMENTS|CONTACT ELEMENT|LAST ITERATIONS', '', 'leave it out: all fields of all nodes'// &
       ' and elements are written', &
+      role_idle), &
+      foreign_word_t('CONTACT FILE', 'OUTPUT|NSET|GLOBAL|TIME POINTS|FREQUENCYF|CONTACT ELEMENTS|LAST ITERATIONS|'// &
+      'MASTER|SLAVE', '', 'leave it out: all contacts are written', &
       role_idle), &
       foreign_word_t('RESTART', 'READ|STEP|INCREMENT|ITERATION', '', 'continue a run with `litz run DECK.inp'// &
       ' --restart FILE.restart.h5[:STEP:INCREMENT] -o DIR`'), &

@@ -1,4 +1,4 @@
-!> *NODE PRINT, *EL PRINT, *CONTACT PRINT, *ENERGY PRINT, *ELECTRODE PRINT, *NODE FILE and *EL FILE.
+!> *NODE PRINT, *EL PRINT, *CONTACT PRINT, *ENERGY PRINT, *ELECTRODE PRINT, *NODE FILE, *EL FILE and *CONTACT FILE.
 !>
 !> A step that asks for a kind of output replaces all requests of that kind; the others are carried over.
 module litz_read_requests
@@ -63,6 +63,8 @@ contains
       case ('ELECTRODE PRINT')
          request%kind = request_electrode
          call read_electrodes(self, model, card, list, request)
+      case ('CONTACT FILE')
+         step%contact_frequency = integer_parameter(self, card, 'FREQUENCY', step%contact_frequency)
       case default
          step%output_frequency = integer_parameter(self, card, 'FREQUENCY', step%output_frequency)
          call check_quantities(self, card, step)

@@ -106,7 +106,8 @@ contains
                role_of(self%deck%text(self%deck%cards(card)%name)) == role_procedure
          case ('STATIC', 'COUPLED THERMAL-ELECTRICAL', 'COUPLED TEMPERATURE-DISPLACEMENT')
             call read_procedure(self, model, card, so_far)
-         case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ENERGY PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE')
+         case ('NODE PRINT', 'EL PRINT', 'CONTACT PRINT', 'ENERGY PRINT', 'ELECTRODE PRINT', 'NODE FILE', 'EL FILE', &
+            'CONTACT FILE')
             call read_request(self, model, card, so_far%requests, model%steps(step))
          case ('RESTART')
             model%steps(step)%restart_frequency = 0
@@ -182,6 +183,7 @@ contains
             this%coupling = model%steps(step - 1)%coupling
             this%reform_kernel = model%steps(step - 1)%reform_kernel
             this%output_frequency = model%steps(step - 1)%output_frequency
+            this%contact_frequency = model%steps(step - 1)%contact_frequency
             this%restart_frequency = model%steps(step - 1)%restart_frequency
             this%nlgeom = model%steps(step - 1)%nlgeom
             previous_total = model%steps(step - 1)%total

@@ -315,7 +315,7 @@ contains
 
       call begin(k, 'CONTACT PRINT', place_step, &
          'Requests a line about the contacts at every increment in the terminal; the'// &
-         ' contact ledger is always written.')
+         ' contact ledger is written as *CONTACT FILE says.')
       call k%add_data([text_field('quantity', 'accepted, but the line has always the same quantities')], &
          required=.false., last=0)
       call finish(table, k)
@@ -360,6 +360,14 @@ contains
       call k%add_data([choice_field('quantity', requested_names(on_cells), 'accepted, but all are always written;'// &
          ' SFN, SE, SK, E11 and S11 where a step asks for one of them')], &
          required=.false., last=0, repeats=0)
+      call finish(table, k)
+
+      call begin(k, 'CONTACT FILE', place_step, 'How often the contacts are written, to DECK_contacts.csv and'// &
+         ' .vtkhdf: a row for each crossing and each place of a line. Applies to later steps too. The contacts with'// &
+         ' rigid surfaces (DECK_surfaces.csv) are written at every increment.')
+      call k%add(count_of('FREQUENCY', 'every n-th increment, and the last of the step; 0: none', '1', &
+         limit_not_negative))
+      call k%add_data([text_field('quantity', 'accepted, but all are always written')], required=.false., last=0)
       call finish(table, k)
    end subroutine add_output
 

@@ -9,7 +9,7 @@ module litz_normal_law
    implicit none
    private
    public :: normal_law_t, force_of_gap_t, overlap_of_force_t
-   public :: force_at_gap, overlap_at_force, linearise, penalty_that_holds
+   public :: force_at_gap, overlap_at_force, linearise, find_stiffer_penalty
 
    !> The law at a gap; all 0 where that is open.
    type :: force_of_gap_t
@@ -209,14 +209,26 @@ contains
       is_per_length_only = self%line_penalty() > 0 .and. .not. self%data(1) > 0
    end function is_per_length_only
 
-   !> Penalty with which a force would leave an overlap [N/m]; 0 for a law that has none.
-   pure real(dp) function penalty_that_holds(law, force, overlap) result(penalty)
+   !> Penalty with which a force would leave a smaller overlap.
+   pure subroutine find_stiffer_penalty(law, force, overlap, allowed, along_line, penalty, unit)
       type(normal_law_t), intent(in) :: law
-      !> [N], [m]
-      real(dp), intent(in) :: force, overlap
+      !> Force [N], overlap that it leaves now, and the smaller one [m]
+      real(dp), intent(in) :: force, overlap, allowed
+      !> It is a place of wires that touch along a line
+      logical, intent(in) :: along_line
+      !> 0 for a law that has none
+      real(dp), intent(out) :: penalty
+      !> Its unit
+      character(len=8), intent(out) :: unit
 
       penalty = 0
-      if (law%has_penalty) penalty = force/overlap
-   end function penalty_that_holds
+      unit = 'N/m'
+      if (.not. law%has_penalty) return
+      penalty = force/allowed
+      if (.not. (along_line .or. law%is_per_length_only())) return
+      ! the overlap of wires that cross gets longer with its depth
+      penalty = law%line_penalty()*(overlap/allowed)**merge(1.0_dp, 1.5_dp, along_line)
+      unit = 'N/m^2'
+   end subroutine find_stiffer_penalty
 
 end module litz_normal_law

@@ -304,8 +304,8 @@ module litz_model
       type(output_request_t), allocatable :: requests(:)
       !> Results hold section forces at nodes, strains and stresses, for which the step asks
       logical :: has_section_results = .false.
-      !> Fields are written at every n-th increment, and at the last of the step
-      integer :: output_frequency = 1
+      !> Fields, contacts are written at every n-th increment, and at the last of the step; 0 (of contacts): at none
+      integer :: output_frequency = 1, contact_frequency = 1
       !> A run can go on from every n-th increment, and from the last of the step; 0: from none
       integer :: restart_frequency = 0
       type(controls_t) :: controls

@@ -8,7 +8,7 @@ module litz_wires
    use litz_rotations, only: cross
    implicit none
    private
-   public :: wires_t, build_wires, measure_wires, arc_from_to
+   public :: corner_angle, wires_t, build_wires, measure_wires, arc_from_to
 
    !> A sharper angle between two elements [rad] is a corner, not a smooth wire (20 degrees, as in Abaqus)
    real(dp), parameter :: corner_angle = 20*pi/180

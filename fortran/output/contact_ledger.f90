@@ -1,4 +1,4 @@
-!> The contact ledger: one row per contact and increment, as a table and as points that ParaView shows.
+!> The contact ledger: one row per contact and increment that is written, as a table and as points that ParaView shows.
 module litz_contact_ledger
    use litz_kinds, only: dp
    use litz_errors, only: error_t
@@ -14,13 +14,14 @@ module litz_contact_ledger
    private
    public :: contact_ledger_t, row_text
 
-   !> Values of the column `status`: not there in the last increment | with the same elements as then | now with others
+   !> Values of the column `status`: not there in the last increment that is written | with the same elements as then |
+   !> now with others
    character(len=*), parameter :: status_new = 'new', status_active = 'active', status_moved = 'moved'
 
    type :: contact_ledger_t
       type(text_file_t), private :: table
       type(vtkhdf_file_t), private :: file
-      !> Elements (barred, unbarred) of the contacts of the last increment, by the contact's id; 0 0: not there
+      !> Elements (barred, unbarred) of the contacts of the last increment written, by the contact's id; 0 0: not there
       integer, allocatable, private :: last_elements(:, :)
    contains
       procedure :: open => ledger_open
@@ -135,7 +136,7 @@ contains
 
    pure function contact_status(contact, last_elements) result(status)
       type(contact_t), intent(in) :: contact
-      !> Elements of each contact of the increment before, by its number (2, n)
+      !> Elements of each contact of the increment written before, by its number (2, n)
       integer, intent(in) :: last_elements(:, :)
       character(len=6) :: status
 

@@ -169,8 +169,8 @@ contains
       call self%wires%write_warnings(warnings, error)
    end subroutine results_list_warnings
 
-   !> History and contact ledger of a converged increment; the fields, and the contacts as points, as often as the step
-   !> wants them.
+   !> History and contacts with rigid surfaces of a converged increment; fields and contact ledger as often as the step
+   !> wants them, the contacts as points where it wants both.
    subroutine results_write_increment(self, model, state, at_start, error)
       class(results_t), intent(inout) :: self
       type(model_t), intent(in) :: model
@@ -178,17 +178,24 @@ contains
       !> It is what the run starts from
       logical, intent(in) :: at_start
       type(error_t), allocatable, intent(out) :: error
-      logical :: with_fields
+      logical :: with_fields, with_contacts
 
       with_fields = at_start
+      with_contacts = at_start
       ! before the first step there is none to ask
-      if (.not. at_start) with_fields = wants_fields(model, state)
+      if (.not. at_start) then
+         with_fields = is_due(state, model%steps(state%step)%output_frequency)
+         with_contacts = is_due(state, model%steps(state%step)%contact_frequency)
+      end if
       if (with_fields) then
-         call self%ledger%write_points(model, state, error)
+         if (with_contacts) call self%ledger%write_points(model, state, error)
          call self%wires%write(model, state, error)
       end if
       ! tables are never ahead of the fields
-      call self%ledger%write_table(model, state, error)
+      if (with_contacts) then
+         call self%wires%note_contacts(state, error)
+         call self%ledger%write_table(model, state, error)
+      end if
       call self%surfaces%write(model, state, error)
       call self%history_file%write_line(self%history%line(state), error)
       call self%history_file%flush(error)
@@ -251,6 +258,7 @@ contains
       call self%unconverged_ledger%write_table(model, state, error)
       if (.not. allocated(error)) call self%unconverged_ledger%write_points(model, state, error)
       if (.not. allocated(error)) call self%unconverged_wires%write(model, state, error)
+      call self%unconverged_wires%note_contacts(state, error)
       call self%unconverged_surfaces%write(model, state, error)
       call self%unconverged_ledger%publish(error)
       call self%unconverged_surfaces%publish(error)
@@ -261,17 +269,15 @@ contains
       call self%unconverged_wires%close(.false., error)
    end subroutine results_write_unconverged
 
-   !> At the start, at every n-th increment of a step and at its last.
-   pure logical function wants_fields(model, state)
-      type(model_t), intent(in) :: model
+   !> Every n-th increment of a step, and its last.
+   pure logical function is_due(state, frequency)
       type(state_t), intent(in) :: state
+      !> n; 0: none
+      integer, intent(in) :: frequency
 
-      wants_fields = .true.
-      if (state%step == 0) return
-      associate (step => model%steps(state%step))
-         wants_fields = mod(state%increment, step%output_frequency) == 0 .or. state%ends_step
-      end associate
-   end function wants_fields
+      is_due = .false.
+      if (frequency > 0) is_due = mod(state%increment, frequency) == 0 .or. state%ends_step
+   end function is_due
 
    !> The run has ended before its first increment, and the results of an earlier one are still there.
    pure logical function results_leaves_older(self)

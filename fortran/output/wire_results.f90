@@ -34,12 +34,15 @@ module litz_wire_results
    type, extends(vtkhdf_file_t) :: wire_results_t
       !> A row per written increment, in the order of `table_names`
       type(hdf5_rows_t), private :: tables(size(table_names))
+      !> Step and increment of each increment whose contacts are in the ledger
+      type(hdf5_rows_t), private :: contact_increments
       type(warning_rows_t), private :: warnings
       !> The rigid surfaces
       type(hdf5_rows_t), allocatable, private :: surfaces(:)
    contains
       procedure :: open => wire_results_open
       procedure :: write => wire_results_write
+      procedure :: note_contacts => wire_results_note_contacts
       procedure :: write_warnings => wire_results_write_warnings
    end type wire_results_t
 
@@ -158,6 +161,7 @@ contains
          call hdf5_write_attribute(group, 'heading', text_or_nothing(model%heading), error)
          call hdf5_write_text(group, 'deck', text_or_nothing(model%deck_text), error)
          call hdf5_create_group(group, 'increments', increments, error)
+         call self%contact_increments%create(group, 'contact_increments', 2, hdf5_integer, 1, error)
          call self%warnings%create(self%file, group, error)
       end associate
       do i = 1, size(table_names)
@@ -314,6 +318,17 @@ contains
       call write_tables(self, state, error)
       call self%end_step(state%time, error)
    end subroutine wire_results_write
+
+   !> The contacts of this increment are in the ledger.
+   subroutine wire_results_note_contacts(self, state, error)
+      class(wire_results_t), intent(inout) :: self
+      type(state_t), intent(in) :: state
+      type(error_t), allocatable, intent(inout) :: error
+
+      call self%contact_increments%append(reshape(int([state%step, state%increment], &
+         kind(self%contact_increments%n_rows)), [2, 1]), error)
+      call hdf5_flush(self%file, error)
+   end subroutine wire_results_note_contacts
 
    !> Brings the list of warnings up to date.
    subroutine wire_results_write_warnings(self, warnings, error)

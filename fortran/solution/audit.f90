@@ -12,7 +12,7 @@ module litz_audit
    use litz_flow_balances, only: current_imbalance, spot_imbalance, power_imbalance, heat_imbalance, power_left_over
    use litz_loading, only: loading_t
    use litz_model, only: model_t
-   use litz_normal_law, only: penalty_that_holds
+   use litz_normal_law, only: find_stiffer_penalty
    use litz_quantities, only: quantity_table_t, on_points
    use litz_result_quantities, only: wire_quantity_t, list_wire_quantities, contact_table
    use litz_rotations, only: cross
@@ -424,14 +424,17 @@ contains
       type(model_t), intent(in) :: model
       type(contact_t), intent(in) :: contact
       character(len=:), allocatable :: words
+      real(dp) :: penalty, allowed
+      character(len=8) :: unit
 
       words = describe_contact(model, contact)//' overlaps by '//to_text(100*penetration(model, contact))// &
          ' % of the smaller radius (above '//to_text(100*allowed_penetration)//' %)'
       associate (law => model%interactions(model%contact_pairs(contact%pair)%interaction)%normal)
+         allowed = allowed_penetration*smaller_radius(model, contact)
+         call find_stiffer_penalty(law, contact%force, -contact%gap, allowed, contact%length > 0, penalty, unit)
          if (law%has_penalty) then
-            words = words//': a penalty of at least '// &
-               to_text(penalty_that_holds(law, contact%force, allowed_penetration*smaller_radius(model, contact)))// &
-               model%units%after('N/m')//' would prevent this'
+            words = words//': a penalty of at least '//to_text(penalty)//model%units%after(trim(unit))// &
+               ' would prevent this'
          else
             words = words//': the '//trim(law%title)//' is valid for smaller ones'
          end if

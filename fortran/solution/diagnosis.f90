@@ -172,7 +172,8 @@ contains
       integer, intent(in) :: attempts
       character(len=:), allocatable :: text
 
-      if (outcome%cause == cause_fed_part .and. outcome%fed_at_start) then
+      if ((outcome%cause == cause_fed_part .and. outcome%fed_at_start) .or. &
+         (outcome%cause == cause_lost_contact .and. outcome%finding%is_final)) then
          text = 'Smaller increments would not help.'
       else if (step%direct .and. step%transient) then
          text = 'Increments over time are not cut back without DELTMX= or ERROR=.'

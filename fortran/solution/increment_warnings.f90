@@ -4,6 +4,7 @@ module litz_increment_warnings
       temperature_slots
    use litz_kinds, only: dp, pi
    use litz_audit, only: audit_t, scales_t, penetration, describe_contact, allowed_imbalance, vanishing
+   use litz_coarse_curves, only: describe_coarse_curves
    use litz_contact_net, only: allowed_penetration
    use litz_convergence, only: measure_scales
    use litz_energy_warnings, only: add_energy_balance
@@ -69,6 +70,8 @@ contains
       call problem%warnings%set_place(0, 0, 0.0_dp)
       text = parallel_warning(problem%model, problem%elements, problem%contact)
       if (len(text) > 0) call problem%warnings%add('side_by_side', text)
+      text = describe_coarse_curves(problem%model, problem%contact)
+      if (len(text) > 0) call problem%warnings%add('coarse_curve', text)
       call add_tight_bends(problem)
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings

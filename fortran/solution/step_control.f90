@@ -54,7 +54,8 @@ contains
       self%turned = 0
    end subroutine start
 
-   !> After an increment that has lost a contact; `.false.`: smaller ones have lost the same contact often enough.
+   !> After an increment that has lost a contact; `.false.`: smaller ones have lost the same contact often enough, or
+   !> come to the same.
    logical function refuse(self, finding, wire, step_time) result(possible)
       class(step_control_t), intent(inout) :: self
       type(finding_t), intent(in) :: finding
@@ -70,7 +71,8 @@ contains
          self%refused_time = step_time
       end if
       self%refused = finding
-      possible = self%refusals <= merge(max_passages, max_unmodelled, finding%can_be_cut())
+      possible = .not. finding%is_final .and. &
+         self%refusals <= merge(max_passages, max_unmodelled, finding%can_be_cut())
    end function refuse
 
    !> After an increment that has turned the ends of an element too far; `.false.`: smaller ones have done so often

@@ -231,7 +231,7 @@ FREE = {
     "STEP": "text, and how many increments there may be", "END STEP": "nothing to change",
     "CONTROLS": "how it is solved", "SOLVER": "how it is solved", "SOLUTION TECHNIQUE": "how it is solved",
     "NODE PRINT": "output", "EL PRINT": "output", "CONTACT PRINT": "output", "ENERGY PRINT": "output",
-    "ELECTRODE PRINT": "output", "NODE FILE": "output", "EL FILE": "output", "RESTART": "output",
+    "ELECTRODE PRINT": "output", "NODE FILE": "output", "EL FILE": "output", "CONTACT FILE": "output", "RESTART": "output",
 }  # fmt: skip
 #: Dimensions of the shapes of cross-sections
 SIDES = ("a", "b", "b1", "b2", "h", "l", "r", "t", "t1", "t2", "t3", "t4")
@@ -425,7 +425,7 @@ FREE_FIELDS = {
     "step_t": {
         # text, size of the increments, output, how it is solved
         "title", "nlgeom", "max_increments", "first", "smallest", "largest", "direct", "requests", "output_frequency",
-        "has_section_results",
+        "has_section_results", "contact_frequency",
         "restart_frequency", "largest_change", "largest_error", "steady_rate", "controls", "solver", "coupling", "reform_kernel",
         # follow from what the steps solve for, and from what they and the steps before name
         "has_solved", "let_go",

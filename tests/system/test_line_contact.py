@@ -309,6 +309,18 @@ def test_a_strand_of_one_and_six_wires_is_pulled(run):
     assert total == pytest.approx(state.moment, rel=1e-2)
 
 
+class TestGivenPerLength:
+    """What is given per length holds where wires cross, too: over the length along which they overlap."""
+
+    @pytest.mark.parametrize("degrees", [90.0, 60.0, 30.0])
+    def test_a_crossing_conducts_over_the_length_of_its_overlap(self, run, degrees):
+        law = HERTZ + spot("CONSTANT, PER=LENGTH, VOLTAGE=LINEAR\n 1e-5")
+        results = solved(run(pressed(OVERLAP, degrees=degrees, law=law, cards=(VOLT,))))
+        (resistance,) = results.contacts_at(-1)["resistance"]
+        length = 2 * math.sqrt(2 * (2 * COPPER.radius) * OVERLAP) / math.sin(math.radians(degrees))
+        assert 1 / resistance == pytest.approx(1e5 * length, rel=2e-3)
+
+
 class TestWhatLinesAreNotFor:
     """Wires that come to lie side by side under a law that is for crossings only: the run ends in words."""
 
@@ -336,6 +348,19 @@ class TestWhatLinesAreNotFor:
         assert process.returncode == 2, process.stderr
         assert "touch side by side, along a line, and overlap by" in process.stderr
         assert f"{words} does not serve contact along a line" in process.stderr
+        # no increment is small enough for that
+        assert process.stdout.count(" cut: ") == 1
+        assert "Smaller increments would not help." in process.stderr
+
+    def test_an_overlap_that_is_too_deep_names_the_stiffness_per_length(self, litz, tmp_path):
+        (tmp_path / "deck.inp").write_text(pressed(2e-4, law=linear("", 2e10) + spot("HERTZ"), cards=(NO_FIELD,)))
+        process = litz("run", "deck.inp", cwd=tmp_path)
+        assert process.returncode == 2, process.stderr
+        found = re.search(r"requires a penalty of at least (\S+)", process.stderr)
+        assert found, process.stderr
+        # that which leaves 5 % at the force of now
+        overlap = float(re.search(r"overlap by (\S+) % of the smaller radius, 5 % are allowed", process.stderr)[1])
+        assert float(found[1]) == pytest.approx(2e10 * overlap / 5, rel=1e-4)
 
     @pytest.mark.parametrize(
         ("model", "words"),

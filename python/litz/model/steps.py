@@ -426,6 +426,10 @@ class Step:
         """Write fields of elements that are there on request only: SFN, SE, SK, E11 or S11 (all of them for any)."""
         self.card("EL FILE", {}, [list(quantities)])
 
+    def contact_file(self, frequency: int = 1) -> None:
+        """Write the contacts of every n-th increment, and of the last one; 0: of none."""
+        self.card("CONTACT FILE", {"FREQUENCY": frequency})
+
     def restart(self, frequency: int = 1) -> None:
         """Keep every n-th increment for a restart."""
         self.card("RESTART", {"WRITE": True, "FREQUENCY": frequency})

@@ -10,6 +10,7 @@ from matplotlib.patches import Circle, Ellipse
 from ..base.quantities import engineering, label
 from ..results import Results
 from ..results.along_cable import CableAxis, cable_axis
+from ..results.contact_increments import NOT_WRITTEN_NOTE
 from ..results.contact_places import rows_of
 from ..results.scalars import colours_and_limits, find_scalar, scalar_values
 from .chart_tools import equal_curves, legend_beside, name_of_group, wire_names
@@ -214,6 +215,8 @@ def _values(results: Results, increment: int, field: str | None, cut: _Cut) -> t
 
 def _draw_contacts(axes: Axes, results: Results, increment: int, cut: _Cut, scale: float) -> str:
     """Contacts that lie within a radius of the plane, as dots; what they mean, in words."""
+    if not results.has_contacts()[increment]:
+        return NOT_WRITTEN_NOTE
     ledger = results.contacts_at(increment)
     points = [np.stack([ledger[f"point_{side}_{name}"] for name in "xyz"], axis=1) for side in (1, 2)]
     rows = [rows_of(results.element_ids, ledger[f"element_{side}"]) for side in (1, 2)]

@@ -12,6 +12,7 @@ from ..base.quantities import engineering, label, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
+from ..results.contact_increments import NOT_WRITTEN, as_far_as_written
 from ..results.surface_forces import joule_heat_on_surfaces
 from .chart_tools import (
     equal_curves,
@@ -107,7 +108,7 @@ def resistance_over_force(axes: Axes, results: Results, increment: int) -> None:
     axes.set_title("Contact resistance")
     shown = ledger.where((ledger["resistance"] < np.inf) & (ledger["force"] > 0) & has_force(ledger["force"]))
     if not shown.n_rows:
-        nothing_to_draw(axes, "No current can pass a contact")
+        nothing_to_draw(axes, as_far_as_written("No current can pass a contact", results.has_contacts()))
         return
     force_factor, force_unit = engineering(shown["force"], results.unit_labels["N"])
     factor, unit = engineering(shown["resistance"], results.unit_labels["ohm"])
@@ -212,7 +213,8 @@ def between_wires(text: str, results: Results) -> str:
 def contact_number(axes: Axes, results: Results, table: Table) -> None:
     """Number of contacts over time, of what `contacts_over_time` tells."""
     axes.set_title(between_wires("Number of contacts", results))
-    times = results.times
+    has = results.has_contacts()
+    times, table = results.times[has], table.where(has)
     counts = table["crossings"] + table["zones"]
     if table["zones"].any():
         axes.set_title(between_wires("Number of crossings and zones", results))
@@ -227,15 +229,16 @@ def contact_number(axes: Axes, results: Results, table: Table) -> None:
 def contact_heat(axes: Axes, results: Results) -> None:
     """Heat of all contacts, on rigid surfaces, and that of the wires, over time."""
     axes.set_title("Joule heat")
-    times, spots = _per_increment(results, results.contacts, results.contacts["joule_heat"])
+    has, times = results.has_contacts(), results.times
+    spots = _per_increment(results, results.contacts, results.contacts["joule_heat"], has)
     touching = results.surface_contacts
-    _, on_surfaces = _per_increment(results, touching, joule_heat_on_surfaces(touching))
+    on_surfaces = _per_increment(results, touching, joule_heat_on_surfaces(touching), np.ones(len(times), dtype=bool))
     wires = results.field("joule_heat", None).sum(axis=1)
     if not (spots.any() or on_surfaces.any() or wires.any()):
         nothing_to_draw(axes, "No current flows")
         return
     factor, unit = engineering(np.concatenate([spots, on_surfaces, wires]), results.unit_labels["W"])
-    axes.plot(times, factor * spots, **marker(len(times)), color=colour_of(1, 3), label="contacts")
+    axes.plot(times[has], factor * spots, **marker(len(spots)), color=colour_of(1, 3), label="contacts")
     if on_surfaces.any():
         axes.plot(times, factor * on_surfaces, **marker(len(times)), color=colour_of(2, 3), label="on rigid surfaces")
     axes.plot(results.times, factor * wires, **marker(len(times)), color=colour_of(0, 3), label="wires")
@@ -250,16 +253,17 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
     axes.set_title(between_wires("Contact forces", results))
     axes.set_xlabel(time_label(results))
     if not ledger.n_rows:
-        nothing_to_draw(axes, "No wires touch each other")
+        nothing_to_draw(axes, as_far_as_written("No wires touch each other", results.has_contacts()))
         return
     factor, unit = engineering(ledger["force"], results.unit_labels["N"])
     axes.set_ylabel(label("force", unit))
     ids = np.unique(ledger["id"])
     if len(ids) <= MAX_LINES:
-        times = results.times
+        has = results.has_contacts()
+        times = results.times[has]
         # an open contact is not in the ledger: its force is zero
         forces = [
-            _per_increment(results, ledger, np.where(ledger["id"] == one, ledger["force"], 0.0))[1] for one in ids
+            _per_increment(results, ledger, np.where(ledger["id"] == one, ledger["force"], 0.0), has) for one in ids
         ]
         groups = equal_curves(forces)
         for i, group in enumerate(groups):
@@ -285,8 +289,11 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
 
 def spot_sizes(axes: Axes, results: Results, increment: int) -> None:
     """Semi-axes of the spots over force, at the increment that is shown."""
-    now = results.contacts_at(increment)
+    now = results.written_contacts_at(increment)
     axes.set_title(f"Spots at time {with_unit(f'{results.times[increment]:g}', results.unit_labels['s'])}")
+    if not results.has_contacts()[increment]:
+        nothing_to_draw(axes, NOT_WRITTEN)
+        return
     if not now.n_rows or not now["semi_major"].any():
         nothing_to_draw(axes, "There are no spots")
         return
@@ -372,15 +379,15 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
         legend_beside(axes)
 
 
-def _per_increment(results: Results, ledger: Table, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Times of the increments, and the sum of a quantity over the contacts at each."""
+def _per_increment(results: Results, ledger: Table, values: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """The sum of a quantity over the contacts at each of the increments that are wanted."""
     if not ledger.n_rows:
-        return results.times, np.zeros(len(results.times))
+        return np.zeros(int(wanted.sum()))
     sums = [
         values[(ledger["step"] == s) & (ledger["increment"] == i)].sum()
-        for s, i in zip(results.steps, results.increments, strict=True)
+        for s, i in zip(results.steps[wanted], results.increments[wanted], strict=True)
     ]
-    return results.times, np.array(sums)
+    return np.array(sums)
 
 
 def colour_of(i: int, n: int) -> Colour:

@@ -7,6 +7,7 @@ import numpy as np
 from ..base.quantities import engineering, label, per, with_unit
 from ..base.table import Table
 from ..results import Results
+from ..results.contact_increments import NOT_WRITTEN_NOTE
 from ..results.contact_places import contact_places, rows_of
 from ..results.zone_lines import ZoneLines, zone_lines
 from ..wires.curves import hermite, hermite_slope
@@ -93,7 +94,7 @@ class ContactMarks:
 
     def __init__(self, results: Results, increments: list[int], by: str | None):
         self._results = results
-        ledgers = [] if by == "none" else [results.contacts_at(increment) for increment in increments]
+        ledgers = [] if by == "none" else [results.written_contacts_at(increment) for increment in increments]
         self._by = by or ("current" if any(ledger["current"].any() for ledger in ledgers) else "force")
         self._crossings, self._surfaces, self._lines = {}, {}, {}
         for increment, ledger in zip(increments, ledgers, strict=False):
@@ -144,7 +145,7 @@ class ContactMarks:
             return ""
         drawn, zones = self._is_drawn(self._sizes(increment)), len(self._lines[increment][0].has_ends)
         discs, hidden = int(drawn.sum()), int((~drawn).sum())
-        notes = []
+        notes = [] if self._results.has_contacts()[increment] else [NOT_WRITTEN_NOTE]
         if discs:
             factor, unit = engineering(np.array([self._largest]), self._crossings[increment].units[self._by])
             largest = with_unit(f"{self._largest * factor:.3g}", unit)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from ..base.quantities import engineering, label
 from ..results import Results
 from ..results.contact_history import FORCE_ROUND_OFF
+from ..results.contact_increments import as_far_as_written
 from ..wires.curves import arc_lengths, element_curves, hermite_slope
 from .chart_tools import legend_beside
 from .charts import colour_of, nothing_to_draw, time_label
@@ -55,7 +56,7 @@ def force_over_sliding(axes: Axes, results: Results, increment: int) -> None:
     """The loops of the contacts with the most frictional heat."""
     axes.set_title("Friction over sliding")
     if not has_friction(results):
-        nothing_to_draw(axes, "No friction has acted")
+        nothing_to_draw(axes, as_far_as_written("No friction has acted", results.has_contacts()))
         return
     ids, place, counts = np.unique(results.contacts["id"], return_inverse=True, return_counts=True)
     heat = np.zeros(len(ids))
@@ -84,17 +85,18 @@ def heat_over_time(axes: Axes, results: Results) -> None:
     """Frictional dissipation of all contacts."""
     axes.set_title("Heat of friction")
     if not has_friction(results):
-        nothing_to_draw(axes, "No friction has acted")
+        nothing_to_draw(axes, as_far_as_written("No friction has acted", results.has_contacts()))
         return
     ledger = results.contacts
     ids, place = np.unique(ledger["id"], return_inverse=True)
     latest, total = np.zeros(len(ids)), []
-    for step, increment in zip(results.steps, results.increments, strict=True):
+    has = results.has_contacts()
+    for step, increment in zip(results.steps[has], results.increments[has], strict=True):
         now = (ledger["step"] == step) & (ledger["increment"] == increment)
         latest[place[now]] = ledger["dissipation"][now]
         total.append(latest.sum())
     factor, unit = engineering(np.array(total), results.unit_labels["J"])
-    axes.plot(results.times, factor * np.array(total), color="#2a6f97", marker="o" if len(total) <= 40 else None,
+    axes.plot(results.times[has], factor * np.array(total), color="#2a6f97", marker="o" if len(total) <= 40 else None,
               markersize=4)  # fmt: skip
     axes.set_ylim(bottom=0)
     axes.set_xlabel(time_label(results))

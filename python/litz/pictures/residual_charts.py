@@ -43,6 +43,9 @@ def residual_of_last_increment(axes: Axes, results: Results, increment: int) -> 
         return
     one = one.where(one["attempt"] == one["attempt"].max())
     names = residual_names(one)
+    if not any(one[name].any() for name in names):
+        nothing_to_draw(axes, "No residual was above zero")
+        return
     for i, name in enumerate(names):
         allowed = one[f"{name}_allowed"]
         ratio = np.divide(one[name], allowed, out=np.zeros(one.n_rows), where=allowed > 0)

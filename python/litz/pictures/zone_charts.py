@@ -11,6 +11,7 @@ from ..base.quantities import engineering, label, per
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_history import contacts_over_time
+from ..results.contact_increments import NOT_WRITTEN
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import per_length, stretch_along
 from . import charts
@@ -48,6 +49,9 @@ def _what_it_says(legend: Legend) -> tuple[object, ...]:
 
 def force_along_wires(axes: Axes, results: Results, increment: int) -> None:
     """Force per length along the wires at an increment."""
+    if not results.has_contacts()[increment]:
+        nothing_to_draw(axes, NOT_WRITTEN)
+        return
     along_wires(axes, results, contact_places(results, results.contacts_at(increment)), "force_per_length", None)
 
 
@@ -126,18 +130,18 @@ def forces_and_lengths_over_time(axes: Axes, results: Results, increment: int) -
 def _forces_and_lengths(axes: Axes, results: Results, table: Table) -> None:
     """Of what `contacts_over_time` tells."""
     axes.set_title(charts.between_wires("Contact forces", results))
+    has = results.has_contacts()
+    times, table = results.times[has], table.where(has)
     force = table["force_between_wires"]
     factor, unit = engineering(force, table.units["force"])
-    axes.plot(results.times, factor * force, **marker(table.n_rows), color=colour_of(0, 3))
+    axes.plot(times, factor * force, **marker(table.n_rows), color=colour_of(0, 3))
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("sum of forces", unit), color=colour_of(0, 3))
     axes.set_ylim(bottom=0)
     factor, unit = engineering(table["max_force_per_length"], table.units["max_force_per_length"])
     right = axes.twinx()
     right.grid(visible=False)
-    right.plot(
-        results.times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3)
-    )
+    right.plot(times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3))
     right.set_ylabel(label("largest force per length", unit), color=colour_of(1, 3))
     right.set_ylim(bottom=0)
 

@@ -103,7 +103,7 @@ def _wanted(results: Results) -> list[_Wanted]:
     if contacts.n_rows:
         wanted.append(_Wanted("contacts", "The contacts over time, and their spots at the last increment."))
     lines = has_lines(results)
-    if lines:
+    if lines and results.has_contacts()[-1]:
         wanted.append(_Wanted("lines", "Contact along lines: what passes per length, along the wires."))
     if results.surface_contacts.n_rows:
         wanted.append(_Wanted("surfaces", "Forces on the rigid surfaces."))
@@ -111,8 +111,8 @@ def _wanted(results: Results) -> list[_Wanted]:
         wanted.append(_Wanted("resistance", "Contact resistance over contact force."))
     if field("element_current"):
         wanted.append(_Wanted("currents", "Currents in the wires."))
-    network = results.contact_network()
-    if len(network.id) > 0 and len(network.wire_length) <= _MAX_WIRES:
+    network = results.contact_network() if results.has_contacts()[-1] else None
+    if network and len(network.id) > 0 and len(network.wire_length) <= _MAX_WIRES:
         wanted.append(_Wanted("network", "Which wires touch, and how much current passes between them."))
     if has_friction(results):
         wanted.append(_Wanted("friction", "Friction."))

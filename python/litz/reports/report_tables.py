@@ -104,7 +104,8 @@ def balance(results: Results) -> str:
 def _power(results: Results) -> str:
     entering = results.field("reaction_current") + results.field("applied_current")
     potential = results.field("potential")
-    wires, contacts = results.field("joule_heat").sum(), results.contacts_at(-1)["joule_heat"].sum()
+    wires, contacts = results.field("joule_heat").sum(), results.written_contacts_at(-1)["joule_heat"].sum()
+    has_contacts = results.has_contacts()[-1]
     if not entering.any():
         return ""
     unit = results.unit_labels
@@ -113,7 +114,7 @@ def _power(results: Results) -> str:
         ("current out", amount(-entering[entering < 0].sum(), unit["A"])),
         ("electric power in", amount(potential @ entering, unit["W"])),
         ("Joule heat of the wires", amount(wires, unit["W"])),
-        ("Joule heat of the contacts", amount(contacts, unit["W"])),
+        ("Joule heat of the contacts", amount(contacts, unit["W"]) if has_contacts else "not written (*CONTACT FILE)"),
     ]
     on_surfaces = joule_heat_on_surfaces(results.surface_contacts_at(-1)).sum()
     if on_surfaces:
@@ -254,10 +255,14 @@ def contacts_of_iterate(last: Results) -> str:
 def worst_contacts(results: Results) -> str:
     """The deepest contacts of the run, those with the largest forces, and those with the densest currents."""
     ledger = results.contacts
+    missing = (~results.has_contacts()).sum()
+    left_out = (
+        f'<p class="note">{missing} increments have no contacts in the ledger (*CONTACT FILE).</p>' if missing else ""
+    )
     if not ledger.n_rows:
-        return "<p>No wires have touched each other.</p>"
+        return left_out or "<p>No wires have touched each other.</p>"
     pressures = pressures_in_words(results)
-    note = f'<p class="note">{pressures[0].upper()}{pressures[1:]}.</p>' if pressures else ""
+    note = left_out + (f'<p class="note">{pressures[0].upper()}{pressures[1:]}.</p>' if pressures else "")
     ledger = ledger.where(crossings_by_themselves(results))
     if not ledger.n_rows:
         return f"<p>All contact between wires is along lines.</p>{note}"
@@ -271,7 +276,9 @@ def worst_contacts(results: Results) -> str:
 
 
 def line_contact(results: Results) -> list[str]:
-    """The zones of line contact and the pairs of wires at the last increment; empty if there are none."""
+    """The zones of line contact and the pairs of wires at the last increment; empty if there are none, or none written."""
+    if not results.has_contacts()[-1]:
+        return []
     zones = results.contact_zones()
     if not zones.n_rows:
         return []

@@ -19,7 +19,8 @@ def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.nd
 
     `crossings` by themselves and `zones` of line contact are between wires, with `force_between_wires`; each element that
     touches a rigid surface is one of `on_surfaces`, with `force_on_surfaces`; `contacts` and `force` are the sums. Contacts
-    between wires whose force is only round-off do not count.
+    between wires whose force is only round-off do not count. What is of contacts between wires is nan where these are not in the
+    ledger.
 
     Parameters
     ----------
@@ -41,6 +42,9 @@ def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.nd
             zones = contact_zones(places, units)
             columns["crossings"][place], columns["zones"][place] = (places.zone < 0).sum(), zones.n_rows
             columns["max_force_per_length"][place] = zones["max_force_per_length"].max(initial=0.0)
+    has = results.has_contacts(steps, increments)
+    if not has.all():
+        columns = {name: np.where(has, values, np.nan) for name, values in columns.items()}
     columns["on_surfaces"], columns["force_on_surfaces"] = _on_surfaces(results, steps, increments)
     columns["contacts"] = columns["crossings"] + columns["zones"] + columns["on_surfaces"]
     columns["force"] = columns["force_between_wires"] + columns["force_on_surfaces"]

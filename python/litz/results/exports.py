@@ -79,23 +79,23 @@ def _to_csv(results: ResultFile, base: Path) -> Path:
     places = {"reference_position": results.nodes}
     _write_table(results, nodes, "node", results.node_ids, places, _fields(results, on_points=True))
     _write_table(results, elements, "element", results.element_ids, {}, _fields(results, on_points=False))
-    contacts = [contact_places(results, results.contacts_at(i)) for i in range(len(results.times))]
+    written = np.flatnonzero(results.has_contacts())
+    contacts = [contact_places(results, results.contacts_at(i)) for i in written.tolist()]
     for ending, table in (("_zones.csv", contact_zones), ("_pairs.csv", wire_pairs)):
-        _write_rows(results, _beside(base, ending), [table(each, results.unit_labels) for each in contacts])
+        _write_rows(results, _beside(base, ending), [table(each, results.unit_labels) for each in contacts], written)
     return nodes
 
 
-def _write_rows(results: ResultFile, path: Path, tables: list[Table]) -> None:
-    """The rows of a table at each increment; wires are counted from 1, as in the result file."""
+def _write_rows(results: ResultFile, path: Path, tables: list[Table], increments: NDArray) -> None:
+    """The rows of a table at each of some increments; wires are counted from 1, as in the result file."""
     units = tables[0].units if tables else {}
     heads = ["step", "increment", f"time{in_brackets(results.unit_labels['s'])}"]
     heads += [f"{name}{in_brackets(unit)}" for name, unit in units.items()]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(heads)
-        for *place, table in zip(
-            results.steps.tolist(), results.increments.tolist(), results.times.tolist(), tables, strict=True
-        ):
+        numbers = (each[increments].tolist() for each in (results.steps, results.increments, results.times))
+        for *place, table in zip(*numbers, tables, strict=True):
             columns = [(table[name] + name.startswith("wire_")).tolist() for name in units]
             writer.writerows([*place, *row] for row in zip(*columns, strict=True))
 
@@ -130,7 +130,7 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
     n = len(results.elements)
     cells = np.column_stack([np.full(n, 2), results.elements]).ravel()
     digits = len(str(len(results.times)))
-    wires, spots, zones = [], [], []
+    wires, spots, zones, has = [], [], [], results.has_contacts()
     for i in range(len(results.times)):
         grid = pv.UnstructuredGrid(cells, np.full(n, pv.CellType.LINE, dtype=np.uint8), results.positions(i))
         for name in _fields(results, on_points=True):
@@ -140,12 +140,14 @@ def _to_vtu(results: ResultFile, base: Path) -> Path:
         grid.point_data["node_id"], grid.cell_data["element_id"] = results.node_ids, results.element_ids
         wires.append(_beside(base, f"_{i:0{digits}}.vtu"))
         grid.save(wires[-1])
+        if not has[i]:
+            continue
         spots.append(_beside(base, f"_contacts_{i:0{digits}}.vtp"))
         _contact_points(results, i).save(spots[-1])
         zones.append(_beside(base, f"_zones_{i:0{digits}}.vtu"))
         ZoneGrid(results, i).to_pyvista().save(zones[-1])
-    _write_pvd(_beside(base, "_contacts.pvd"), results.times, spots)
-    _write_pvd(_beside(base, "_zones.pvd"), results.times, zones)
+    _write_pvd(_beside(base, "_contacts.pvd"), results.times[has], spots)
+    _write_pvd(_beside(base, "_zones.pvd"), results.times[has], zones)
     for ending, frames in _surface_series(results).items():
         files = [_beside(base, f"{ending}_{i:0{digits}}.vtu") for i in range(len(frames))]
         for frame, file in zip(frames, files, strict=True):

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..base.table import Table
 from .contact_history import contacts_over_time
+from .contact_increments import NOT_WRITTEN_NOTE
 from .result_file import ResultFile
 
 _MAX_COLUMNS = 6
@@ -32,9 +33,15 @@ def history_table(results: ResultFile) -> str:
 
     rows = np.unique(np.linspace(0, history.n_rows - 1, min(history.n_rows, _MAX_ROWS)).round().astype(int))
     cells = [heads, *[[f"[{unit}]" if unit else "" for unit in units]] * any(units)]
-    cells += [[f"{column[row]:.7g}" for column in columns] for row in rows]
+    has = ~np.isnan(contacts["contacts"])
+    cells += [
+        [f"{column[row]:.7g}" if has[row] or k not in (1, 2) else "-" for k, column in enumerate(columns)]
+        for row in rows
+    ]
     widths = [max(len(line[i]) for line in cells) for i in range(len(heads))]
-    lines = _kinds(contacts)
+    lines = _kinds(contacts.where(has))
+    if not has[rows].all():
+        lines.append(f"-: {NOT_WRITTEN_NOTE}")
     lines += ["  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]
     if len(rows) < history.n_rows:
         lines.append(f"{len(rows)} of {history.n_rows} increments")

@@ -18,12 +18,14 @@ _FRICTION = np.array(["none", "stick", "slip"])
 def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np.ndarray, images: np.ndarray) -> Table:
     """The contact ledger of a text table: from the file of contacts beside it, where that has all of it.
 
+    It has not where contacts are written more often than fields.
+
     Parameters
     ----------
     path : Path
         The text table.
     steps, increments, times : ndarray
-        Of each increment of the run, (n_increments).
+        Of each increment in the result file that has its contacts in the ledger, (n_increments).
     images : ndarray
         Numbers of the elements whose contacts are left out.
     """
@@ -48,8 +50,11 @@ def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> di
         fields, n_rows = file["VTKHDF/PointData"], int(rows.sum())
         columns = {name: np.repeat(values, rows) for name, values in numbers.items()}
         columns |= {name: _column(fields, name, n_rows) for name in names if name not in (*numbers, "status")}
+    last = read_last_column(path)
+    if len(last) > n_rows:
+        raise KeyError(f"{path} has more rows than the file of contacts")
     if "status" in names:
-        columns["status"] = read_last_column(path)[:n_rows]
+        columns["status"] = last
     return {name: columns[name] for name in names}
 
 

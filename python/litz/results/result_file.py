@@ -15,7 +15,9 @@ from ..base.names import unknown_field, unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
 from ..wires import BEYOND, Wire, WireArcs, find_wires, numbered_wires, wire_arcs, without_images
+from .contact_increments import contacts_written, refuse_missing
 from .found_files import find_result_file
+from .hdf5_values import n_steps, numbers_of, text_of
 from .ledger import read_ledger
 from .outlines import SectionOutline
 from .rigid_surfaces import SurfaceShape, read_surfaces
@@ -99,19 +101,19 @@ class ResultFile:
     def heading(self) -> str:
         """The ``*HEADING`` of the deck."""
         with self._open() as file:
-            return _text(file["litz"].attrs["heading"])
+            return text_of(file["litz"].attrs["heading"])
 
     @cached_property
     def version(self) -> str:
         """The version of litz that wrote the results."""
         with self._open() as file:
-            return _text(file["litz"].attrs["version"])
+            return text_of(file["litz"].attrs["version"])
 
     @cached_property
     def deck(self) -> str:
         """The text of the deck, with its included files."""
         with self._open() as file:
-            return _text(file["litz/deck"][()])
+            return text_of(file["litz/deck"][()])
 
     # Time
 
@@ -309,7 +311,7 @@ class ResultFile:
     def _attributes(self) -> dict[str, dict[str, str]]:
         with self._open() as file:
             return {
-                name: {key: _text(value) for key, value in dataset.attrs.items()}
+                name: {key: text_of(value) for key, value in dataset.attrs.items()}
                 for group in _GROUPS
                 for name, dataset in file["VTKHDF"][group].items()
             }
@@ -369,9 +371,21 @@ class ResultFile:
 
     @property
     def contacts(self) -> Table:
-        """The contact ledger: a row for each contact at each increment, without those of `images`."""
-        rest = (self.steps, self.increments, self.times, self.element_ids[self.images])
-        return self._whole(self._table("_contacts.csv", lambda path: read_ledger(path, *rest)))
+        """The contact ledger: a row for each contact at each increment that has its contacts there, without those of `images`."""
+        return self._whole(self._table("_contacts.csv", self._read_ledger))
+
+    def _read_ledger(self, path: Path) -> Table:
+        has = self.has_contacts()
+        images = self.element_ids[self.images]
+        return read_ledger(path, self.steps[has], self.increments[has], self.times[has], images)
+
+    def has_contacts(self, steps: np.ndarray | None = None, increments: np.ndarray | None = None) -> np.ndarray:
+        """Whether the contacts of each increment (default: those in the file) are in the ledger: `*CONTACT FILE`."""
+        steps, increments = (
+            (self.steps, self.increments) if steps is None or increments is None else (steps, increments)
+        )
+        with self._open() as file:
+            return contacts_written(file, steps, increments)
 
     @cached_property
     def contact_units(self) -> dict[str, str]:
@@ -393,7 +407,13 @@ class ResultFile:
         return self._at(self.surface_contacts, increment)
 
     def contacts_at(self, increment: int = -1) -> Table:
-        """The contacts at one increment."""
+        """The contacts at one increment, which has to have them in the ledger (`has_contacts`)."""
+        rows = self.written_contacts_at(increment)
+        refuse_missing(self.path, self.steps, self.increments, self.has_contacts(), increment)
+        return rows
+
+    def written_contacts_at(self, increment: int = -1) -> Table:
+        """The contacts at one increment; no rows where the ledger has none of it."""
         return self._at(self.contacts, increment)
 
     def _at(self, table: Table, increment: int) -> Table:
@@ -435,14 +455,14 @@ class ResultFile:
         done = [k for k in range(status.n_rows) if not status["remark"][k].startswith("cut")]
         if done:
             return int(status["step"][done[-1]]), int(status["increment"][done[-1]])
-        return _numbers_of(file, 0) if _n_steps(file) else None
+        return numbers_of(file, 0) if n_steps(file) else None
 
     def _n_whole(self, file: h5py.File) -> int:
         """Number of increments in the result file that are complete in all files."""
         if file is self._kept and self._kept_count is not None:
             return self._kept_count
-        n, last = _n_steps(file), self._last_whole(file)
-        while last is not None and n > 1 and _numbers_of(file, n - 1) > last:
+        n, last = n_steps(file), self._last_whole(file)
+        while last is not None and n > 1 and numbers_of(file, n - 1) > last:
             n -= 1
         if file is self._kept:
             self._kept_count = n
@@ -484,17 +504,3 @@ class ResultFile:
         if table not in tables:
             raise ValueError(unknown_name("table", table, tables))
         return getattr(self, table).to_pandas()
-
-
-def _n_steps(file: h5py.File) -> int:
-    return int(file["VTKHDF/Steps"].attrs["NSteps"])
-
-
-def _numbers_of(file: h5py.File, index: int) -> tuple[int, int]:
-    """Numbers of the step and of the increment in it."""
-    return int(file["litz/increments/step"][index]), int(file["litz/increments/increment"][index])
-
-
-def _text(value: bytes | str) -> str:
-    text = value.decode("utf-8", errors="replace") if isinstance(value, bytes) else str(value)
-    return text.rstrip("\0")

@@ -56,7 +56,8 @@ class Results(ResultFile):
 
         `contacts` are `crossings` by themselves, `zones` of contact along lines, and elements `on_surfaces`, which are rigid;
         `force` is the sum of `force_between_wires` and `force_on_surfaces`, of their sizes and not their resultant;
-        `max_force_per_length` is the largest of the wires that touch along lines.
+        `max_force_per_length` is the largest of the wires that touch along lines. At increments without contacts in the
+        ledger (`has_contacts`) what counts those of wires is nan.
         """
         return contacts_over_time(self, self.steps, self.increments)
 

@@ -19,6 +19,7 @@ from .surface_forces import joule_heat_on_surfaces, surface_forces
 Values = TypeVar("Values", np.ndarray, float)
 
 _MAX_ROWS = 30
+_NOT_WRITTEN = "not written (*CONTACT FILE)"
 _MAX_PAIRS = 12
 #: Width of the names of numbers
 _NAME_WIDTH = 25
@@ -36,7 +37,10 @@ def summary(results: ResultFile) -> str:
         parts.append("\n".join([f"{len(found)} warning{'s' * (len(found) > 1)}:", *map(_warning, found)]))
     pressures = pressure_lines(results)
     if pressures:
-        parts.append("\n".join(["over all increments:", *map(_tidy, pressures)]))
+        of_all = (
+            "over all increments" if results.has_contacts().all() else "over the increments with contacts in the ledger"
+        )
+        parts.append("\n".join([f"{of_all}:", *map(_tidy, pressures)]))
     if len(results.times):
         parts.append(_last_increment(results))
     return "\n\n".join(parts) + "\n"
@@ -75,7 +79,8 @@ def _last_increment(results: ResultFile) -> str:
     potential = results.field("potential")
     potential = _without_round_off(potential, _largest(results, "potential", np.abs(potential).max()), _ROUND_OFF)
     known = potential[np.isfinite(known_potential(results, -1))]
-    contacts = results.contacts_at(-1)
+    contacts = results.written_contacts_at(-1)
+    has_contacts = bool(results.has_contacts()[-1])
     entering = results.field("reaction_current") + results.field("applied_current")
     unit = results.unit_labels
     places = contact_places(results, contacts)
@@ -88,17 +93,19 @@ def _last_increment(results: ResultFile) -> str:
         f"  largest displacement   {largest:12.5g} {unit['m']:4}"
         + (f" at node {results.node_ids[size.argmax()]}" if largest else ""),
         f"  potential              {known.min():12.5g} {unit['V']:4} to {known.max():.5g} {unit['V']}",
-        *_contacts(places, zones, unit, "contacts of wires" if results.rigid_surfaces else "contacts"),
     ]
+    name = "contacts of wires" if results.rigid_surfaces else "contacts"
+    lines += _contacts(places, zones, unit, name) if has_contacts else [f"  {name:22} {_NOT_WRITTEN:>12}"]
     lines += _on_surfaces(results)
     heat = heat_wires + heat_contacts + heat_surfaces
     if _without_round_off(heat, _largest(results, "joule_heat", heat) * len(results.elements), _SQUARED) > 0:
+        of_contacts = f"{heat_contacts:.5g} {unit['W']}" if has_contacts else _NOT_WRITTEN
         of_surfaces = f", on rigid surfaces {heat_surfaces:.5g} {unit['W']}" if heat_surfaces else ""
         lines += [
             f"  electric power in      {potential @ entering:12.5g} {unit['W']}",
             (
-                f"  Joule heat             {heat:12.5g} {unit['W']:4} "
-                f"(wires {heat_wires:.5g} {unit['W']}, contacts {heat_contacts:.5g} {unit['W']}{of_surfaces})"
+                f"  Joule heat             {heat:12.5g} {unit['W']:4} {'' if has_contacts else 'without that of contacts '}"
+                f"(wires {heat_wires:.5g} {unit['W']}, contacts {of_contacts}{of_surfaces})"
             ),
         ]
     lines += _heat(results)
@@ -132,7 +139,7 @@ def _heat(results: ResultFile) -> list[str]:
     )
     hottest = results.node_ids[temperature.argmax()]
     lines = [f"  temperature            {_range(temperature, results.units['temperature'])} at node {hottest}"]
-    contacts = results.contacts_at(-1)
+    contacts = results.written_contacts_at(-1)
     spots = contacts.get("temperature_max", np.zeros(0))
     if spots.any():
         lines.append(

@@ -51,8 +51,9 @@ class ZoneGrid:
 
 
 def write_zones(results: ResultFile, path: Path) -> Path:
-    """The zones of all increments as a VTKHDF file."""
-    times = results.times
+    """The zones of all increments that have contacts in the ledger as a VTKHDF file."""
+    has = np.flatnonzero(results.has_contacts())
+    times = results.times[has]
     with h5py.File(path, "w") as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = [2, 0]
@@ -62,7 +63,7 @@ def write_zones(results: ResultFile, path: Path) -> Path:
         _append(steps, "Values", times)
         _append(steps, "NumberOfParts", np.ones(len(times), dtype=np.int64))
         _append(steps, "PartOffsets", np.arange(len(times)))
-        for increment in range(len(times)):
+        for increment in has.tolist():
             _add_step(root, steps, ZoneGrid(results, increment))
     return path
 

@@ -363,11 +363,14 @@ class _Run:
             return self._collect(results)
         history = results.history
         self.units = {**history.units, "contact force": results.unit_labels["N"]}
-        ledgers = (results.contacts_at(-1), results.surface_contacts_at(-1))
+        ledgers = (results.written_contacts_at(-1), results.surface_contacts_at(-1))
         values = {
             "contacts": float(sum(ledger.n_rows for ledger in ledgers)),
             "contact force": float(sum(ledger["force"].sum() for ledger in ledgers if ledger.n_rows)),
         }
+        if not results.has_contacts()[-1]:
+            # the last increment of a step has them, unless the deck wants none
+            values = dict.fromkeys(values, math.nan)
         for name in (name for name in history if name not in ("step", "increment", "time")):
             values[name] = history[name][-1]
             if name.startswith(_RESISTANCE):

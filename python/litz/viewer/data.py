@@ -13,6 +13,7 @@ from ..pictures.contact_marks import all_spots, spot_places
 from ..pictures.prisms import first_axes, reach_of_sections, triangles_of
 from ..pictures.scene import aim, shape_text
 from ..results import Results
+from ..results.contact_increments import NOT_WRITTEN_NOTE
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import contact_zones
 from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalar_field, scalars
@@ -156,6 +157,7 @@ class WebData:
             "rest": self._places(self._packed(self._rest)),
             "outlines": self._outlines(),
             "shape_text": shape_text(results),
+            "contact_texts": ["" if has else NOT_WRITTEN_NOTE for has in results.has_contacts()[picked]],
             "frames": self._frames(np.zeros_like(results.nodes)),
             "radius": float(np.linalg.norm(shown - self._centre, axis=1).max() + margin),
             "view": {
@@ -184,7 +186,7 @@ class WebData:
         results, index = self._results, self.increments[place]
         displacement, rotation = (results.field(name, index) for name in ("displacement", "rotation"))
         curves = element_curves(results.nodes, displacement, rotation, self._wires, len(results.elements))
-        ledger, on_surfaces = results.contacts_at(index), results.surface_contacts_at(index)
+        ledger, on_surfaces = results.written_contacts_at(index), results.surface_contacts_at(index)
         places = contact_places(results, ledger)
         contacts = ledger.where(places.zone < 0)
         zones = contact_zones(places, results.unit_labels)

@@ -72,7 +72,7 @@ def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tu
     bool
         They have less detail.
     """
-    reduced = _LEAST_PER_CONTACT * results.contacts_at(increments[-1]).n_rows > max_size
+    reduced = _LEAST_PER_CONTACT * results.written_contacts_at(increments[-1]).n_rows > max_size
     if reduced:
         # the last increment alone may be too large, and takes long
         only = _parts(WebData(results, increments[-1:]), SHORT, PLAIN)

@@ -123,7 +123,8 @@ class Viewer {
       const places = Object.fromEntries(Object.entries(data.spots).map(([name, text]) => [name, floats(text)]));
       this.spots.selected = data.contacts.id.indexOf(this.ledger.selected);
       this.spots.set(places, factor, n ? data.contacts[by] : [], model.largest[by]);
-      this.find("spot-note").textContent = [this.spotNote(by, n), this.greyNote, model.shape_text].filter(Boolean).join("; ");
+      const notes = [this.spotNote(by, n), model.contact_texts[this.index], this.greyNote, model.shape_text];
+      this.find("spot-note").textContent = notes.filter(Boolean).join("; ");
    }
 
    updateZones(factor) {
