@@ -17,6 +17,7 @@ module litz_problem
    use litz_superconductors, only: new_superconductors
    use litz_term, only: term_entry_t
    use litz_term_list, only: list_terms
+   use litz_state, only: energies_t
    use litz_wires, only: build_wires, measure_wires
    implicit none
    private
@@ -43,6 +44,8 @@ module litz_problem
       !> Converged increments, and iterations with those of rejected increments, since the run began
       integer :: n_increments = 0, n_iterations = 0
       type(run_warnings_t) :: warnings
+      !> When the present step began, or was gone on with
+      type(energies_t) :: energies_before
    contains
       final :: release
    end type problem_t

@@ -102,6 +102,7 @@ contains
       integer, allocatable :: number_before(:, :)
       integer :: kind, coupling
 
+      problem%energies_before = problem%state%energies
       call start_loading(step, problem%state, problem%loading)
       call request_slots(problem, step%has_solved, stays)
       call request_slots(problem, step%solves, exists)
