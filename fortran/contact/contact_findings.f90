@@ -159,9 +159,9 @@ contains
          text = 'Each pair of elements can have four contacts: use shorter elements. '
       case (finding_joined)
          text = 'Elements of two wires have no contact where the way from one to the other, along wires that meet'// &
-            ' at nodes, is shorter than '//to_text(nint(joined_radii))//' radii; a node at which a wire turns by more'// &
-            ' than '//to_text(nint(corner_angle*180/pi))//' degrees joins two wires, too. Draw bends with smaller'// &
-            ' turns at each node, use shorter elements, or bend the wire less. '
+            ' at nodes, is shorter than '//to_text(nint(joined_radii))//' radii; a node at which a wire turns'// &
+            ' by more than '//to_text(nint(corner_angle*180/pi))//' degrees joins two wires, too. Draw bends with'// &
+            ' smaller turns at each node, use shorter elements, or bend the wire less. '
       case (finding_tight)
          text = 'A bend with a radius of curvature below the radius of the wire folds into itself, which no law of'// &
             ' contact describes: bend the wire less, or model a thinner one. '

@@ -10,7 +10,7 @@ module litz_parallel_wires
    use litz_text, only: to_text
    implicit none
    private
-   public :: shallow_angle, parallel_warning
+   public :: shallow_angle, parallel_warning, lie_side_by_side
 
    !> Below this crossing angle [rad] a point contact does not describe the line in which wires touch
    real(dp), parameter :: shallow_angle = 10*pi/180
@@ -31,7 +31,9 @@ contains
       n = 0
       do i = 1, size(contact%candidates, 2)
          if (serves_lines(model, contact%candidates(3, i))) cycle
-         if (lie_side_by_side(model, elements, contact%candidates(1, i), contact%candidates(2, i))) n = n + 1
+         associate (pair => contact%candidates(1:2, i))
+            if (lie_side_by_side(model, elements, pair(1), pair(2), shallow_angle)) n = n + 1
+         end associate
       end do
       text = ''
       if (n > 0) text = to_text(n)//' pairs of elements lie close side by side, at less than 10'// &
@@ -39,16 +41,19 @@ contains
          ' such wires touch'
    end function parallel_warning
 
-   pure logical function lie_side_by_side(model, elements, a, b)
+   !> Two elements are close to each other, and nearly parallel, in the reference configuration.
+   pure logical function lie_side_by_side(model, elements, a, b, angle)
       type(model_t), intent(in) :: model
       type(elements_t), intent(in) :: elements
       !> Two elements
       integer, intent(in) :: a, b
+      !> Largest one between them [rad]
+      real(dp), intent(in) :: angle
       real(dp) :: distance
 
       associate (a1 => model%x(:, model%connectivity(1, a)), a2 => model%x(:, model%connectivity(2, a)), &
          b1 => model%x(:, model%connectivity(1, b)), b2 => model%x(:, model%connectivity(2, b)))
-         lie_side_by_side = norm2(cross(a2 - a1, b2 - b1)) < sin(shallow_angle)*norm2(a2 - a1)*norm2(b2 - b1)
+         lie_side_by_side = norm2(cross(a2 - a1, b2 - b1)) < sin(angle)*norm2(a2 - a1)*norm2(b2 - b1)
          if (.not. lie_side_by_side) return
          distance = segment_distance(reshape([a1, a2, b1, b2], [3, 4]))
          lie_side_by_side = distance < sum(elements%radius([a, b])) + close_gap*minval(elements%radius([a, b]))

@@ -70,8 +70,7 @@ contains
       call problem%warnings%set_place(0, 0, 0.0_dp)
       text = parallel_warning(problem%model, problem%elements, problem%contact)
       if (len(text) > 0) call problem%warnings%add('side_by_side', text)
-      text = describe_coarse_curves(problem%model, problem%contact)
-      if (len(text) > 0) call problem%warnings%add('coarse_curve', text)
+      call add_coarse_curves(problem, [contact_t ::])
       call add_tight_bends(problem)
       call add_unpaired_overlaps(problem, problem%model%x)
    end subroutine add_start_warnings
@@ -85,6 +84,18 @@ contains
       text = describe_tight_bends(problem%model, problem%wires, problem%elements, problem%contact)
       if (len(text) > 0) call problem%warnings%add('tight_bend', text)
    end subroutine add_tight_bends
+
+   !> Curves that are drawn as kinks, and lie along other wires or their own turns.
+   subroutine add_coarse_curves(problem, contacts)
+      type(problem_t), intent(inout) :: problem
+      !> Of a state, or none at the start
+      type(contact_t), intent(in) :: contacts(:)
+      character(len=:), allocatable :: text
+
+      if (.not. problem%contact%present) return
+      text = describe_coarse_curves(problem%model, problem%elements, problem%contact, contacts)
+      if (len(text) > 0) call problem%warnings%add('coarse_curve', text)
+   end subroutine add_coarse_curves
 
    !> Overlapping wires that no contact pair names.
    subroutine add_unpaired_overlaps(problem, x)
@@ -129,6 +140,7 @@ contains
          call shared%report(warnings)
          call add_tight_bends(problem)
          call add_long_elements(problem)
+         call add_coarse_curves(problem, state%contacts)
          call add_unpaired_overlaps(problem, problem%model%x &
             + state%value(first_slot(field_displacement):last_slot(field_displacement), :))
       end associate

@@ -62,7 +62,7 @@ def test_its_force_is_too_large_and_without_kinks_it_is_right(run):
 
 def test_check_tells_it_once_for_all_wires(litz, tmp_path):
     two = coil(2, 12, 3.0) + coil(2, 12, 3.0, first=101, name="OTHER", start=(20.0, 0.0, 0.0))
-    (tmp_path / "deck.inp").write_text(deck(two, ("COIL", "OTHER"), "COIL, OTHER"))
+    (tmp_path / "deck.inp").write_text(deck(two + "*ELSET, ELSET=BOTH\n COIL, OTHER\n", ("COIL", "OTHER"), "BOTH, BOTH"))
     process = litz("check", "deck.inp", cwd=tmp_path)
     assert process.returncode == 0, process.stderr
     text = process.stdout + process.stderr
@@ -82,6 +82,32 @@ def test_kinks_that_are_meant_are_not(run, points):
     process, results = run(deck(wire("COIL", RADIUS * points, element="B33")))
     assert process.returncode == 0, process.stderr
     assert told(results) == []
+
+
+def test_a_ring_of_kinks_across_a_wire_is_not(run):
+    """It touches with one of its kinks, as such."""
+    angle = 2 * np.pi * np.arange(16) / 16 - np.pi / 2
+    ring = np.stack([10 * np.cos(angle), 0 * angle, 10 * np.sin(angle)], axis=1)
+    across = np.array([(0, y, -11.998) for y in np.linspace(-10, 10, 9)])
+    wires = wire("COIL", RADIUS * ring, element="B33", closed=True) + wire("OTHER", RADIUS * across, 101, element="B33")
+    process, results = run(deck(wires, ("COIL", "OTHER"), "COIL, OTHER"))
+    assert process.returncode == 0, process.stderr
+    assert results.contacts_at(-1).n_rows > 0
+    assert told(results) == []
+
+
+def test_a_coil_that_comes_to_lie_along_a_wire_is_told_then(run):
+    """Its turns do not touch; a straight wire is lowered onto the side of a coarse arc, whose first elements lead along it."""
+    angle = np.linspace(-0.9, 0.9, 5)
+    arc = np.stack([4 * np.sin(angle), 0 * angle, 4 * np.cos(angle) - 4], axis=1)
+    bar = np.array([(x, 0, 2.5) for x in np.linspace(-6, 6, 13)])
+    wires = wire("COIL", RADIUS * arc, element="B33") + wire("OTHER", RADIUS * bar, 101, element="B33")
+    text = deck(wires, ("COIL", "OTHER"), "COIL, OTHER")
+    text = text.replace(" OTHER, ENCASTRE\n", " OTHER, 1, 2\n OTHER, 4, 6\n")
+    process, results = run(text.replace("*END STEP", f"*BOUNDARY\n OTHER, 3, 3, {-0.502 * RADIUS}\n*END STEP"))
+    assert process.returncode == 0, process.stderr
+    (entry,) = [entry for entry in results.warnings if entry.kind == KIND]
+    assert (entry.step, entry.increment) == (1, 1)
 
 
 def test_a_wire_that_touches_nothing_is_not(run):
