@@ -62,7 +62,9 @@ def test_its_force_is_too_large_and_without_kinks_it_is_right(run):
 
 def test_check_tells_it_once_for_all_wires(litz, tmp_path):
     two = coil(2, 12, 3.0) + coil(2, 12, 3.0, first=101, name="OTHER", start=(20.0, 0.0, 0.0))
-    (tmp_path / "deck.inp").write_text(deck(two + "*ELSET, ELSET=BOTH\n COIL, OTHER\n", ("COIL", "OTHER"), "BOTH, BOTH"))
+    (tmp_path / "deck.inp").write_text(
+        deck(two + "*ELSET, ELSET=BOTH\n COIL, OTHER\n", ("COIL", "OTHER"), "BOTH, BOTH")
+    )
     process = litz("check", "deck.inp", cwd=tmp_path)
     assert process.returncode == 0, process.stderr
     text = process.stdout + process.stderr

@@ -366,10 +366,8 @@ class Step:
 
     def current(self, nodes: AnyNodes, value: float, amplitude: Amplitude | str | None = None) -> None:
         """A current [A] into the body at each of the nodes."""
-        self._load(
-            "CECURRENT",
-            Load(self._model.target(nodes), degree_of_freedom("potential"), value, self._amplitude(amplitude)),
-        )
+        target = self._model.target(nodes)
+        self._load("CECURRENT", Load(target, degree_of_freedom("potential"), value, self._amplitude(amplitude)))
 
     cecurrent = current
 

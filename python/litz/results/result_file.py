@@ -371,19 +371,17 @@ class ResultFile:
 
     @property
     def contacts(self) -> Table:
-        """The contact ledger: a row for each contact at each increment that has its contacts there, without those of `images`."""
+        """The contact ledger: a row for each contact at each increment that has its own there, without those of `images`."""
         return self._whole(self._table("_contacts.csv", self._read_ledger))
 
     def _read_ledger(self, path: Path) -> Table:
         has = self.has_contacts()
-        images = self.element_ids[self.images]
-        return read_ledger(path, self.steps[has], self.increments[has], self.times[has], images)
+        return read_ledger(path, self.steps[has], self.increments[has], self.times[has], self.element_ids[self.images])
 
     def has_contacts(self, steps: np.ndarray | None = None, increments: np.ndarray | None = None) -> np.ndarray:
         """Whether the contacts of each increment (default: those in the file) are in the ledger: `*CONTACT FILE`."""
-        steps, increments = (
-            (self.steps, self.increments) if steps is None or increments is None else (steps, increments)
-        )
+        if steps is None or increments is None:
+            steps, increments = self.steps, self.increments
         with self._open() as file:
             return contacts_written(file, steps, increments)
 
@@ -394,10 +392,7 @@ class ResultFile:
 
     @property
     def surface_contacts(self) -> Table:
-        """The contacts with rigid surfaces: a row for each element that touches one, at each increment.
-
-        Empty for a model without rigid surfaces.
-        """
+        """The contacts with rigid surfaces, if there are any: a row for each element that touches one, at each increment."""
         if not self.rigid_surfaces:
             return Table({}, {})
         return self._whole(self._table("_surfaces.csv", read_csv))
@@ -422,9 +417,8 @@ class ResultFile:
             increment = self._checked(increment, file)
         if not table.n_rows:
             return table
-        return table.where(
-            (table["step"] == self.steps[increment]) & (table["increment"] == self.increments[increment])
-        )
+        here = (table["step"] == self.steps[increment]) & (table["increment"] == self.increments[increment])
+        return table.where(here)
 
     def contact(self, contact_id: int) -> Table:
         """One contact over its life."""
