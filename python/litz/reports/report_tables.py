@@ -262,7 +262,7 @@ def worst_contacts(results: Results) -> str:
     if not ledger.n_rows:
         return left_out or "<p>No wires have touched each other.</p>"
     pressures = pressures_in_words(results)
-    note = left_out + (f'<p class="note">{pressures[0].upper()}{pressures[1:]}.</p>' if pressures else "")
+    note = left_out + (f'<p class="note">{html.escape(pressures[0].upper() + pressures[1:])}.</p>' if pressures else "")
     ledger = ledger.where(crossings_by_themselves(results))
     if not ledger.n_rows:
         return f"<p>All contact between wires is along lines.</p>{note}"
