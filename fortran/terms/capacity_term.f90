@@ -61,7 +61,7 @@ contains
       type(model_t), intent(in) :: model
       integer :: material
 
-      capacity%elements = storing_elements(model)
+      allocate (capacity%elements, source=storing_elements(model))
       allocate (capacity%stored(model%n_elements), capacity%between(model%n_elements), source=0.0_dp)
       allocate (capacity%phases(size(model%materials)))
       do material = 1, size(model%materials)
