@@ -43,8 +43,9 @@ module litz_bent_contacts
       procedure :: largest
    end type changes_of_bends_t
 
-   !> A change of the force by how the wires are bent matters this much more than one of a share
-   real(dp), parameter :: bends_matter = 1000
+   !> A change of the force by how the wires are bent matters this much more than one of a share, and one of what the
+   !> stiffest contact resists to be bent by
+   real(dp), parameter :: bends_matter = 1000, resistance_matters = 20
 
 contains
 
@@ -300,10 +301,10 @@ contains
       type(contact_point_t), intent(in) :: earlier, point
 
       self%force = max(self%force, point%force)
-      self%of_force = max(self%of_force, point%force*change_of_bends(earlier, point))
+      self%of_force = max(self%of_force, point%weight*point%force*change_of_bends(earlier, point))
       associate (before => earlier%bends%by_curvature, now => point%bends%by_curvature)
          self%resistance = max(self%resistance, maxval(abs(before)), maxval(abs(now)))
-         self%of_resistance = max(self%of_resistance, maxval(abs(now - before)))
+         self%of_resistance = max(self%of_resistance, point%weight*maxval(abs(now - before)))
       end associate
    end subroutine note
 
@@ -313,7 +314,7 @@ contains
       class(changes_of_bends_t), intent(in) :: self
 
       largest = max(bends_matter*self%of_force/max(self%force, tiny(largest)), &
-         self%of_resistance/max(self%resistance, tiny(largest)))
+         resistance_matters*self%of_resistance/max(self%resistance, tiny(largest)))
    end function largest
 
 end module litz_bent_contacts

@@ -338,10 +338,9 @@ contains
             maxval(-points%gap), maxval(-line_points%gap))) return
          if (self%contact%n_anticipated >= max_anticipations) return
          self%contact%n_anticipated = self%contact%n_anticipated + 1
-         ! each one as if it were the first; where forces balance all have been one
-         self%contact%n_settled = 0
          call self%settle(domain, has_moved)
-         self%contact%n_settled = 1
+         ! where forces balance, it counts anew
+         self%contact%n_settled = 0
       end associate
    end subroutine anticipate
 

@@ -9,7 +9,7 @@ program test_contact_laws
    use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_model, only: model_t
    use litz_normal_forces, only: apply_normal_law
-   use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise, penalty_that_holds
+   use litz_normal_law, only: normal_law_t, force_of_gap_t, force_at_gap, linearise, find_stiffer_penalty
    use litz_normal_laws, only: normal_law
    use litz_normal_yielding, only: normal_yielding
    use litz_refused_contacts, only: refused_contact
@@ -101,8 +101,19 @@ contains
    end subroutine test_the_line_of_a_first_touch_goes_through_the_touch
 
    subroutine test_the_penalty_that_holds()
-      call expect(near(penalty_that_holds(normal_law('LINEAR', [penalty]), 8.0_dp, 2.0e-6_dp), 4.0e6_dp), 'F/overlap')
-      call expect(.not. penalty_that_holds(normal_law('HERTZ'), 8.0_dp, 2.0e-6_dp) > 0, 'HERTZ has none')
+      real(dp) :: stiffer
+      character(len=8) :: unit
+
+      call find_stiffer_penalty(normal_law('LINEAR', [penalty]), 8.0_dp, 4.0e-6_dp, 2.0e-6_dp, .false., stiffer, unit)
+      call expect(near(stiffer, 4.0e6_dp) .and. unit == 'N/m', 'F/overlap')
+      call find_stiffer_penalty(normal_law('LINEAR', [0.0_dp, 1.0e9_dp]), 8.0_dp, 4.0e-6_dp, 1.0e-6_dp, .true., &
+         stiffer, unit)
+      call expect(near(stiffer, 4.0e9_dp) .and. unit == 'N/m^2', 'along a line in proportion to the overlap')
+      call find_stiffer_penalty(normal_law('LINEAR', [0.0_dp, 1.0e9_dp]), 8.0_dp, 4.0e-6_dp, 1.0e-6_dp, .false., &
+         stiffer, unit)
+      call expect(near(stiffer, 8.0e9_dp) .and. unit == 'N/m^2', 'and to its length, where wires cross')
+      call find_stiffer_penalty(normal_law('HERTZ'), 8.0_dp, 4.0e-6_dp, 2.0e-6_dp, .false., stiffer, unit)
+      call expect(.not. stiffer > 0, 'HERTZ has none')
    end subroutine test_the_penalty_that_holds
 
    subroutine test_a_kept_spot_has_the_largest_force()

@@ -154,7 +154,9 @@ class TestScene:
     def test_contacts_with_a_round_off_current_have_no_discs(self, results, monkeypatch):
         ledger = results.contacts_at(1)
         current = ledger["current"] * [1, 1e-12]
-        monkeypatch.setattr(results, "contacts_at", lambda _: Table({**ledger, "current": current}, ledger.units))
+        monkeypatch.setattr(
+            results, "written_contacts_at", lambda _: Table({**ledger, "current": current}, ledger.units)
+        )
         scene = SceneMaker(results, [1], spots="current").scene(1)
         assert len(scene.spot_radius) == 1
         assert scene.spot_text.startswith("1 contact: disc area proportional to current")

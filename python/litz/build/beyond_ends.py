@@ -55,7 +55,8 @@ def go_on_beyond(model: Model, passages: Sequence[Passage], stretch: str, intera
     for group in own_groups(model):
         area, inertia = math.pi * group.radius**2 * SLENDER, math.pi * group.radius**4 / 4 * SLENDER
         section = General(area, inertia, inertia, 2 * inertia, contact_radius=group.radius)
-        metal = Material(f"BEYOND_{group.material.name}", group.material.young, group.material.poisson)
+        own = group.material
+        metal = Material(f"BEYOND_{own.name}", own.young, own.poisson, expansion=own.expansion)
         for name, sense in zip(BEYOND, (1, -1), strict=True):
             chains = [_images(model, one, stretch, sense) for one in passages if one.group is group]
             beyond[name].append(f"{name}_{group.name}")

@@ -87,7 +87,7 @@ def compact(
         raise ValueError("a cable is compacted before anything else; this model has a step already")
     wires = own_groups(model)
     points, radius = axes_of(model, list(wires))
-    metal = _section_of_metal(model, wires, np.ptp(points[:, 2]))
+    metal = _section_of_metal(model, wires)
     if shape == "round":
         size = float((np.hypot(points[:, 0], points[:, 1]) + radius).max())
         filled = math.pi * size**2
@@ -116,8 +116,10 @@ def compact(
     return step
 
 
-def _section_of_metal(model: Model, wires: list[WireGroup], length: float) -> float:
-    """Volume of the wires over the length of the cable [m^2]."""
+def _section_of_metal(model: Model, wires: list[WireGroup]) -> float:
+    """Volume of the wires [m^3] over the length of the cable, which is that of each: their ends are in slanted planes."""
+    ends = np.array([wire.ends for group in wires for wire in group.wires])
+    length = float(np.mean(np.abs(np.diff(model.x[ends - 1, 2]))))
     volume = 0.0
     for group in wires:
         lengths = np.linalg.norm(np.diff(model.x[group.connectivity - 1], axis=1)[:, 0], axis=1)
