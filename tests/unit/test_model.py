@@ -178,10 +178,9 @@ def test_the_program_accepts_all_that_can_be_said(litz_program, tmp_path):
     step.node_print(upper.ends, "RM")
     step.el_print("ALL", "SF", totals="YES")
     step.electrode_print(lower.start, upper.start)
-    for request in (step.energy_print, step.contact_print, lambda: step.el_file("SE", "E11")):
+    for request in (step.energy_print, step.contact_print, step.contact_file, lambda: step.el_file("SE", "E11")):
         request()
     step.node_file(frequency=2)
-    step.contact_file(frequency=2)
     step.restart(frequency=5)
     step.controls("field", r_n=1e-4)
     step.controls("time incrementation", i_c=30, d_f=0.3)
