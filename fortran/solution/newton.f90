@@ -247,7 +247,7 @@ contains
             call problem%terms(i)%term%anticipate(problem%domain_t, outcome%last%residual(field_displacement), &
                has_moved)
          end do
-         if (has_moved) outcome%to_balance = outcome%factorisations + still_to_go
+         if (has_moved .and. outcome%to_balance == 0) outcome%to_balance = outcome%factorisations + still_to_go
       end if
       if (.not. has_moved) return
       call evaluate(problem, error)
