@@ -23,7 +23,7 @@ module litz_bent_contacts
    implicit none
    private
    public :: feels_bends, is_bent, resists_bending, bends_of, sine_of_bends, qualities_of, see_bends, settle_bends, &
-      follow_bends, changes_of_bends_t
+      follow_bends, change_of_bends, change_of_resistance
 
    !> Angle by which a wire turns at a node from which on that begins to be a kink, which it is at 20 degrees
    real(dp), parameter :: begins_to_kink = 10*pi/180, is_kink = 20*pi/180
@@ -31,21 +31,6 @@ module litz_bent_contacts
    real(dp), parameter :: far_from_node = 0.8_dp, at_node = 0.95_dp
    !> Cosine of the angle of the law below which the energy is a parabola over it
    real(dp), parameter :: flat = 1.0e-4_dp
-
-   !> How bends have changed since they were settled last.
-   type :: changes_of_bends_t
-      !> Largest force of a contact, and largest change of one by that of the curvatures that it sees [N]
-      real(dp) :: force = 0, of_force = 0
-      !> Largest force against being bent otherwise, and largest change of one [J m]
-      real(dp) :: resistance = 0, of_resistance = 0
-   contains
-      procedure :: note
-      procedure :: largest
-   end type changes_of_bends_t
-
-   !> A change of the force by how the wires are bent matters this much more than one of a share, and one of what the
-   !> stiffest contact resists to be bent by
-   real(dp), parameter :: bends_matter = 1000, resistance_matters = 20
 
 contains
 
@@ -294,27 +279,13 @@ contains
       if (before%sine > 0) change = change + abs(now%sine/before%sine - 1)
    end function change_of_bends
 
-   !> Take in how the bends of a contact have changed.
-   pure subroutine note(self, earlier, point)
-      class(changes_of_bends_t), intent(inout) :: self
-      !> The contact before and now
+   !> Relative change of the force by which the contact resists to be bent otherwise.
+   pure real(dp) function change_of_resistance(earlier, point) result(change)
       type(contact_point_t), intent(in) :: earlier, point
 
-      self%force = max(self%force, point%force)
-      self%of_force = max(self%of_force, point%weight*point%force*change_of_bends(earlier, point))
       associate (before => earlier%bends%by_curvature, now => point%bends%by_curvature)
-         self%resistance = max(self%resistance, maxval(abs(before)), maxval(abs(now)))
-         self%of_resistance = max(self%of_resistance, point%weight*maxval(abs(now - before)))
+         change = maxval(abs(now - before))/max(maxval(abs(now)), maxval(abs(before)), tiny(now))
       end associate
-   end subroutine note
-
-   !> Largest of the changes of forces and resistances, each over what is the largest in the model: what contacts that
-   !> bear next to nothing are bent by is no matter for another iteration.
-   pure real(dp) function largest(self)
-      class(changes_of_bends_t), intent(in) :: self
-
-      largest = max(bends_matter*self%of_force/max(self%force, tiny(largest)), &
-         resistance_matters*self%of_resistance/max(self%resistance, tiny(largest)))
-   end function largest
+   end function change_of_resistance
 
 end module litz_bent_contacts

@@ -27,20 +27,20 @@ module litz_contact_term
    use litz_settled_dents, only: settle_dents, remember_energies
    use litz_spot_memory, only: follow_spots
    use litz_state, only: energies_t
-   use litz_term, only: term_t, status_t
+   use litz_term, only: term_t, status_t, max_anticipations, nearly_balanced
    use litz_timing, only: phase_search, phase_contact, phase_update
    use litz_wire_turning, only: measure_turning
    implicit none
    private
    public :: contact_term_t
 
-   !> How often an increment settles what is carried along lines at most, where forces balance, and before; and the
-   !> change of a share that is left alone each time
-   integer, parameter :: max_settlings = 2, max_anticipations = 3
+   !> How often an increment settles what is carried along lines at most where forces balance, and the change of a share
+   !> that is left alone each time
+   integer, parameter :: max_settlings = 2
    real(dp), parameter :: settled_change(max_settlings) = [0.02_dp, 0.1_dp]
-   !> Overlaps are known when no linear step has missed one by more than this part of the largest, and no force is left
-   !> over that is more than this part of the largest contact force: the next step then changes them by its square
-   real(dp), parameter :: missed_overlap = 0.02_dp, nearly_balanced = 0.1_dp
+   !> Overlaps are known when no linear step has missed one by more than this part of the largest, and forces nearly
+   !> balance: the next step then changes them by its square
+   real(dp), parameter :: missed_overlap = 0.02_dp
 
    type, extends(term_t) :: contact_term_t
       !> The set of contacts, which the checks of a converged state, restart files and results read, too
@@ -338,9 +338,10 @@ contains
             maxval(-points%gap), maxval(-line_points%gap))) return
          if (self%contact%n_anticipated >= max_anticipations) return
          self%contact%n_anticipated = self%contact%n_anticipated + 1
-         call self%settle(domain, has_moved)
-         ! where forces balance, it counts anew
+         ! where forces balance, all of these count as one
          self%contact%n_settled = 0
+         call self%settle(domain, has_moved)
+         self%contact%n_settled = 1
       end associate
    end subroutine anticipate
 

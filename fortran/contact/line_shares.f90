@@ -5,8 +5,8 @@
 module litz_line_shares
    use litz_kinds, only: dp, pi
    use litz_axis_choices, only: axis_hermite
-   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, qualities_of, settle_bends, &
-      changes_of_bends_t
+   use litz_bent_contacts, only: is_bent, bends_of, sine_of_bends, qualities_of, settle_bends, change_of_bends, &
+      change_of_resistance
    use litz_bent_wires, only: bent_crossing_t
    use litz_contact_lens, only: has_lens, sine_of_lens, sine_of_overlap, half_length_of, half_length_on, &
       divide_at_ends, tells_shares, place_at_ends, flatness, least_bend, deepest
@@ -41,6 +41,9 @@ module litz_line_shares
    real(dp), parameter :: telling = 0.25_dp
    !> Less than this leads nowhere
    real(dp), parameter :: least_tilt = 1.0e-9_dp
+   !> A change of the force by how the wires are bent matters this much more than one of a share
+   real(dp), parameter :: bends_matter = 1000
+
    !> Half lengths of a lens from its crossing where it ends, and where what overlaps is none of it: the crest of a wave
    !> that closes altogether (see litz_crossings_of_wires)
    real(dp), parameter :: lens_ends = 1, goes_on = pi/2
@@ -217,7 +220,6 @@ contains
       type(crossings_of_wires_t) :: sorted
       real(dp) :: xe(3, 4), t(3, 4), length(2), before
       type(contact_point_t) :: earlier
-      type(changes_of_bends_t) :: bends
       integer :: i, crossing
 
       largest_change = 0
@@ -232,12 +234,12 @@ contains
             if (point%gap < 0) then
                earlier = point
                call settle_bends(model, wires, elements, x, rotation, law, point)
-               call bends%note(earlier, point)
+               largest_change = max(largest_change, point%weight*max(bends_matter*change_of_bends(earlier, point), &
+                  change_of_resistance(earlier, point)))
             end if
             if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
          end associate
       end do
-      largest_change = bends%largest()
       do i = 1, size(contact%line_points)
          associate (point => contact%line_points(i))
             before = point%weight

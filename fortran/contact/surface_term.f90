@@ -30,7 +30,7 @@ module litz_surface_term
    use litz_surface_poses, only: present_surface, element_axis, surface_node, surface_turn, work_of_radii
    use litz_surface_rubbing, only: rubbing_turn, touched_t, sticking_of, rub, find_friction_work, rubbing_of_cells
    use litz_surface_swelling, only: add_swelling
-   use litz_term, only: term_t, status_t
+   use litz_term, only: term_t, status_t, max_anticipations, nearly_balanced
    use litz_text, only: to_text
    use litz_timing, only: phase_contact, phase_update
    implicit none
@@ -42,10 +42,6 @@ module litz_surface_term
    !> Relative change of the logarithm of the far field that is worth another iteration, and updates at most
    real(dp), parameter :: settled = 1.0e-4_dp
    integer, parameter :: most_updates = 4
-   !> Updates at most before forces balance, as soon as none is left over that is more than this part of the largest
-   !> contact force, and none has been predicted worse
-   integer, parameter :: most_anticipations = 3
-   real(dp), parameter :: nearly_balanced = 0.1_dp
    !> Relative change of the stiffness of a stick that is worth it
    real(dp), parameter :: stick_tolerance = 0.01_dp
    !> Turn of a surface with friction in an increment, whose chord is 0.3 % short [rad]
@@ -382,12 +378,15 @@ contains
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
 
-      if (size(self%cells) == 0 .or. self%anticipations >= most_anticipations) return
+      if (size(self%cells) == 0 .or. self%anticipations >= max_anticipations) return
+      ! nothing has been predicted yet
+      if (any(self%cells%predicted < 0)) return
       associate (missed => maxval(abs(self%cells%force - self%cells%predicted)), largest => maxval(self%cells%force))
          if (max(residual, missed) > nearly_balanced*largest) return
       end associate
       self%anticipations = self%anticipations + 1
       call self%settle(domain, has_moved)
+      ! where forces balance, updates count anew
       self%updates = 0
    end subroutine anticipate
 

@@ -11,6 +11,12 @@ module litz_term
    implicit none
    private
    public :: term_t, term_entry_t, status_t
+   public :: max_anticipations, nearly_balanced
+
+   !> In how many iterations of an increment terms anticipate at most, and the largest force that is left over by then,
+   !> over the largest that they bear
+   integer, parameter :: max_anticipations = 3
+   real(dp), parameter :: nearly_balanced = 0.1_dp
 
    !> One-sided conditions of an iteration: contacts that are closed.
    type :: status_t

@@ -38,8 +38,8 @@ def test_three_strands_come_to_lie_side_by_side_within_an_increment(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::litz.RunWarning")
-@pytest.mark.parametrize("lay_lengths", [(45e-3, 85e-3), (80e-3, 140e-3)])
-def test_nine_strands_are_compacted_without_a_cut(tmp_path, lay_lengths):
-    _, (attempts, iterations) = compacted(tmp_path, [[3], [3]], lay_lengths, 0.57, 8)
+@pytest.mark.parametrize(("lay_lengths", "void_fraction"), [((45e-3, 85e-3), 0.5664), ((80e-3, 140e-3), 0.57)])
+def test_nine_strands_are_compacted_without_a_cut(tmp_path, lay_lengths, void_fraction):
+    _, (attempts, iterations) = compacted(tmp_path, [[3], [3]], lay_lengths, void_fraction, 8)
     assert all(attempts == 1)
     assert max(iterations) < 30

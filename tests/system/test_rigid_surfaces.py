@@ -337,7 +337,8 @@ def test_a_rod_that_is_pulled_over_a_drum_multiplies_its_tension(run, tension, f
     assert ratio == pytest.approx(expected * (1 - friction * np.pi * 0.01), rel=1e-3)
     assert set(results.surface_contacts["friction"][-20:]) == {"slip"}
     # the first step has forces of round-off
-    assert max(figure[-100:].max() for name, figure in results.audit.items() if name.endswith("balance")) < 1e-7
+    later = results.steps > 1
+    assert max(figure[later].max() for name, figure in results.audit.items() if name.endswith("balance")) < 1e-7
 
 
 def test_a_ring_between_two_plates_is_shortened_as_by_two_forces(run):
