@@ -170,7 +170,7 @@ contains
       !> Which of them (contacts), and the nodes of both elements of each (4, contacts)
       integer, intent(in) :: members(:), nodes(:, :)
       !> Tangents (24, 24, contacts) and residuals (24, contacts)
-      real(dp), intent(in) :: k(:, :, :), r(:, :)
+      real(dp), contiguous, intent(in) :: k(:, :, :), r(:, :)
       integer :: i
 
       do i = 1, size(members)

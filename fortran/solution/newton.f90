@@ -131,7 +131,7 @@ contains
          end if
          if (outcome%in_turn > 1) cycle
          keep = keeps_factor(problem, step, outcome)
-         call solve_step(problem, keep, outcome%last%allowed, only_change, correction, solver_error)
+         call solve_step(problem, keep, outcome%iterations > 0, outcome%last%allowed, only_change, correction, solver_error)
          if (allocated(solver_error)) then
             call give_up(outcome, cause_singular, solver_error%message)
             return
@@ -157,6 +157,8 @@ contains
       outcome%last%factor_age = problem%factor_age
       if (.not. kept) then
          outcome%factorisations = outcome%factorisations + 1
+      end if
+      if (.not. (kept .or. problem%scheme%has_kept)) then
          outcome%negative_pivots = problem%scheme%negative_pivots
          outcome%only_start_factored = outcome%iterations == 1
          if (outcome%only_start_factored) outcome%negative_pivots_at_start = outcome%negative_pivots
@@ -335,10 +337,12 @@ contains
    end function only_contacts_changed
 
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
-   subroutine solve_step(problem, keep, allowed, only_change, correction, error)
+   subroutine solve_step(problem, keep, is_near, allowed, only_change, correction, error)
       type(problem_t), intent(inout) :: problem
       !> The factor of an earlier iteration will do
       logical, intent(in) :: keep
+      !> The tangent is near the last one that was factored
+      logical, intent(in) :: is_near
       !> Residuals of the fields that are allowed (n_fields)
       real(dp), intent(in) :: allowed(:)
       !> For what the increment has changed alone, without what the last one has left over
@@ -349,7 +353,7 @@ contains
       real(dp) :: rhs(n_slots, problem%model%n_nodes)
 
       call problem%timing%lap(phase_update)
-      if (.not. keep) call factor_tangent(problem, error)
+      if (.not. keep) call factor_tangent(problem, error, is_near)
       problem%factor_age = merge(problem%factor_age + 1, 0, keep)
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
@@ -367,14 +371,17 @@ contains
       call problem%timing%lap(phase_solve)
    end subroutine solve_step
 
-   subroutine factor_tangent(problem, error)
+   !> Factor the tangent, or make ready to solve with it by an earlier factor.
+   subroutine factor_tangent(problem, error, is_near)
       type(problem_t), intent(inout) :: problem
       type(error_t), allocatable, intent(out) :: error
+      !> The last one was near it; default: no
+      logical, intent(in), optional :: is_near
 
       if (problem%coupled_step) then
          call factor_full(problem, error)
       else
-         call problem%scheme%factor(problem%matrix, error)
+         call problem%scheme%factor(problem%matrix, error, is_near)
       end if
       problem%has_factor = all(problem%matrix%symmetric) .and. .not. allocated(error)
    end subroutine factor_tangent

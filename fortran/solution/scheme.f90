@@ -39,6 +39,8 @@ module litz_scheme
       logical :: is_full = .false.
       !> Negative pivots of the first group in the last factorisation; -1: not known
       integer :: negative_pivots = -1
+      !> The last step was made with an earlier factor of the first group
+      logical :: has_kept = .false.
       !> Group and equation in it that the last call failed at; 0: none is to blame
       integer :: failed_group = 0, failed_equation = 0
       type(solver_holder_t), private :: group(n_groups), whole
@@ -128,14 +130,15 @@ contains
    end subroutine scheme_analyse
 
    !> Numeric factorisation of what a Newton step needs.
-   subroutine scheme_factor(self, matrix, error)
+   subroutine scheme_factor(self, matrix, error, is_near)
       class(scheme_t), intent(inout) :: self
       type(system_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
+      !> The last one was of a matrix near this one, whose factors may do; default: no
+      logical, intent(in), optional :: is_near
       real(dp), allocatable :: row_scale(:), column_scale(:)
       integer :: i
 
-      self%negative_pivots = -1
       if (self%is_whole) then
          do i = 2, n_groups
             call self%group(i)%solver%release()
@@ -144,28 +147,45 @@ contains
          call scale_groups(matrix, row_scale, column_scale)
          call self%whole%solver%factor(self%joined, matrix%symmetric(1), error, row_scale, column_scale)
          call blame_whole(self, matrix)
-         self%negative_pivots = self%whole%solver%negative_pivots
       else
          do i = 1, self%n_coupled
-            call self%factor_group(i, matrix, error)
-            if (allocated(error)) return
+            call self%factor_group(i, matrix, error, is_near)
+            if (allocated(error)) exit
          end do
+      end if
+      call note_pivots(self, matrix)
+   end subroutine scheme_factor
+
+   !> What the last factorisation tells about the first group.
+   subroutine note_pivots(self, matrix)
+      class(scheme_t), intent(inout) :: self
+      type(system_t), intent(in) :: matrix
+
+      if (self%is_whole) then
+         self%has_kept = .false.
+         self%negative_pivots = self%whole%solver%negative_pivots
+      else
+         self%has_kept = self%group(1)%solver%has_kept
          self%negative_pivots = self%group(1)%solver%negative_pivots
       end if
       if (self%negative_pivots > 0 .and. .not. (matrix%symmetric(1) .or. matrix%unsymmetric_by_friction)) then
          self%negative_pivots = -1
       end if
-   end subroutine scheme_factor
+   end subroutine note_pivots
 
    !> Numeric factorisation of the block of one group with itself.
-   subroutine factor_group(self, group, matrix, error)
+   subroutine factor_group(self, group, matrix, error, is_near)
       class(scheme_t), intent(inout) :: self
       !> One of the groups of litz_fields; not the first one where the system is one matrix
       integer, intent(in) :: group
       type(system_t), intent(in) :: matrix
       type(error_t), allocatable, intent(out) :: error
+      !> As of `factor`
+      logical, intent(in), optional :: is_near
 
       if (group == group_mechanical) then
+         self%group(group)%solver%may_keep = .false.
+         if (present(is_near)) self%group(group)%solver%may_keep = is_near
          call self%group(group)%solver%factor(matrix%block(group, group), matrix%symmetric(group), error, &
             coupling=matrix%slip_coupling%value)
       else
@@ -194,6 +214,7 @@ contains
             b(start(i) + 1:start(i + 1)) = equations%gather(i, rhs)
          end do
          call self%solve_system(matrix, b, x, error)
+         call note_pivots(self, matrix)
          if (allocated(error)) return
          do i = 1, self%n_coupled
             call equations%spread_to_nodes(i, x(start(i) + 1:start(i + 1)), correction)

@@ -1,6 +1,7 @@
 !> One matrix solved by its Cholesky factor: exactly where it is symmetric and positive definite, as a preconditioner
 !> where only its symmetric part is, or that of the matrix without a coupling that is given beside it; by LU where that
-!> cannot be, or where the rest is too large for it, or by L D L^T of MUMPS where the matrix is symmetric.
+!> cannot be, or where the rest is too large for it, or by L D L^T of MUMPS where the matrix is symmetric. The factor of
+!> an earlier matrix is a preconditioner, too, where a factorisation costs as much as many steps with it.
 module litz_cholesky_or_lu
    use litz_kinds, only: dp
    use litz_cholmod, only: cholmod_factor_t
@@ -31,6 +32,10 @@ module litz_cholesky_or_lu
       logical :: lu_used = .false.
       !> The last factorisation is that of the matrix without the coupling
       logical :: is_near = .false.
+      !> Steps at most with an earlier factor
+      integer, private :: steps_with_kept = 0
+      !> What the last `factor` was to leave out of its matrix, if it has kept an earlier factor (entries)
+      real(dp), allocatable, private :: coupling(:)
    contains
       procedure :: analyse => solver_analyse
       procedure :: factor => solver_factor
@@ -52,6 +57,13 @@ module litz_cholesky_or_lu
    !> Residual of the iteration over that of its start, and steps beyond which an LU costs no more
    real(dp), parameter :: accurate_residual = 1.0e-9_dp
    integer, parameter :: max_steps = 30
+   !> The same residual with an earlier factor, which is about what a Newton step leaves of its own; and steps below
+   !> which such a factor is not tried
+   real(dp), parameter :: residual_of_kept = 1.0e-4_dp
+   integer, parameter :: fewest_steps = 4
+   !> Operations of a factorisation, for each entry of the factor, that take as long as half a step: multiplications of
+   !> dense blocks are faster than reading the factor from memory (measured with 10^4 to 10^5 elements)
+   real(dp), parameter :: operations_per_entry = 40
    !> Number of equations from which L D L^T of MUMPS takes less time than LU of UMFPACK
    integer, parameter :: worth_mumps = 500
 
@@ -91,8 +103,17 @@ contains
       real(dp), intent(in), optional :: coupling(:)
 
       self%negative_pivots = -1
-      call self%lu%release()
+      self%failed_equation = 0
       self%symmetric = symmetric
+      if (allocated(self%coupling)) deallocate (self%coupling)
+      self%steps_with_kept = 0
+      if (self%may_keep .and. self%cholesky%factored) self%steps_with_kept = steps_worth_a_factor(self)
+      self%has_kept = self%steps_with_kept >= fewest_steps
+      if (self%has_kept) then
+         if (present(coupling)) allocate (self%coupling, source=coupling)
+         return
+      end if
+      call self%lu%release()
       call factor_cholesky(self, matrix, error, coupling)
       self%failed_equation = self%cholesky%failed_equation
       self%lu_used = self%failed_equation > 0
@@ -174,6 +195,17 @@ contains
 
       call check_right_side(matrix, b, error)
       if (allocated(error)) return
+      if (self%has_kept) then
+         call iterate(matrix, self%cholesky, b, residual_of_kept, self%steps_with_kept, x, converged, error)
+         if (allocated(error) .or. converged) return
+         self%may_keep = .false.
+         if (allocated(self%coupling)) then
+            call self%factor(matrix, self%symmetric, error, coupling=[self%coupling])
+         else
+            call self%factor(matrix, self%symmetric, error)
+         end if
+         if (allocated(error)) return
+      end if
       if (.not. (self%lu_used .or. self%symmetric)) then
          if (self%is_near) then
             call solve_by_near_part(matrix, self%cholesky, b, x, converged, error)
@@ -210,8 +242,19 @@ contains
       end if
    end subroutine solver_solve_once
 
-   !> `A x = b` by GMRES, which the factor of a matrix near `A` preconditions. Equations and unknowns are scaled as that
-   !> is: forces and moments of soft and of stiff parts weigh the same.
+   !> Steps of an iteration that take about half as long as a factorisation.
+   integer function steps_worth_a_factor(self) result(steps)
+      class(cholesky_or_lu_t), intent(in) :: self
+
+      select type (backend => self%cholesky%backend)
+      type is (cholmod_factor_t)
+         steps = int(min(real(max_steps, dp), backend%operations()/(operations_per_entry*backend%entries())))
+      class default
+         steps = 0
+      end select
+   end function steps_worth_a_factor
+
+   !> `A x = b` by the factor of what is near `A`; the first solution with it tells whether it is singular.
    subroutine solve_by_near_part(matrix, factor, b, x, converged, error)
       type(csr_matrix_t), intent(in), target :: matrix
       type(scaled_factor_t), intent(inout), target :: factor
@@ -222,24 +265,39 @@ contains
       !> .false.: the matrices are too far from each other, `x` is not a solution
       logical, intent(out) :: converged
       type(error_t), allocatable, intent(out) :: error
-      type(near_map_t) :: map
-      real(dp) :: residual(size(b))
 
-      ! tells a singular factor
       call factor%solve(b, x, error)
       if (allocated(error)) return
+      call iterate(matrix, factor, b, accurate_residual, max_steps, x, converged, error)
+   end subroutine solve_by_near_part
+
+   !> `A x = b` by GMRES, which the factor of a matrix near `A` preconditions. Equations and unknowns are scaled as that
+   !> is: forces and moments of soft and of stiff parts weigh the same.
+   subroutine iterate(matrix, factor, b, accuracy, n_steps, x, converged, error)
+      type(csr_matrix_t), intent(in), target :: matrix
+      type(scaled_factor_t), intent(inout), target :: factor
+      !> Right-hand side (n)
+      real(dp), intent(in) :: b(:)
+      !> Residual over that of `x = 0` at which to stop
+      real(dp), intent(in) :: accuracy
+      !> Steps at most
+      integer, intent(in) :: n_steps
+      !> Solution (n)
+      real(dp), intent(out) :: x(:)
+      !> .false.: the matrices are too far from each other, `x` is not a solution
+      logical, intent(out) :: converged
+      type(error_t), allocatable, intent(out) :: error
+      type(near_map_t) :: map
+
       map%matrix => matrix
       map%factor => factor
-      call gmres(map, factor%row_scale*b, accurate_residual, max_steps, x)
+      call gmres(map, factor%row_scale*b, accuracy, n_steps, x, converged)
       if (allocated(map%error)) then
          call move_alloc(map%error, error)
          return
       end if
       x = factor%column_scale*x
-      residual = b
-      call csr_add_product(matrix, -1.0_dp, x, residual)
-      converged = norm2(factor%row_scale*residual) <= 2*accurate_residual*norm2(factor%row_scale*b)
-   end subroutine solve_by_near_part
+   end subroutine iterate
 
    subroutine multiply(self, x, y)
       class(near_map_t), intent(inout) :: self

@@ -27,6 +27,8 @@ module litz_cholmod
       procedure :: factor => cholmod_factor
       procedure :: solve => cholmod_solve
       procedure :: release => cholmod_release
+      procedure :: operations => cholmod_operations
+      procedure :: entries => cholmod_entries
       final :: cholmod_finalise
    end type cholmod_factor_t
 
@@ -64,6 +66,13 @@ module litz_cholmod
          type(c_ptr), value :: handle
          integer(c_int64_t) :: entries
       end function cholmod_shim_factor_entries
+
+      function cholmod_shim_operations(handle) bind(c) result(operations)
+         import :: c_ptr, c_double
+         implicit none
+         type(c_ptr), value :: handle
+         real(c_double) :: operations
+      end function cholmod_shim_operations
 
       function cholmod_shim_factor(handle, n, start, row, value, failed) bind(c) result(status)
          import :: c_ptr, c_int64_t, c_double, c_int
@@ -210,6 +219,20 @@ contains
          error = fail(exit_solver, 'CHOLMOD: stopped with status '//trim(code)//' on '//trim(equations)//' equations')
       end select
    end function cholmod_error
+
+   !> Operations of a factorisation.
+   real(dp) function cholmod_operations(self) result(operations)
+      class(cholmod_factor_t), intent(in) :: self
+
+      operations = cholmod_shim_operations(self%handle)
+   end function cholmod_operations
+
+   !> Numbers in the factor.
+   real(dp) function cholmod_entries(self) result(entries)
+      class(cholmod_factor_t), intent(in) :: self
+
+      entries = real(cholmod_shim_factor_entries(self%handle), dp)
+   end function cholmod_entries
 
    subroutine cholmod_release(self)
       class(cholmod_factor_t), intent(inout) :: self

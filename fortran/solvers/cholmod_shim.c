@@ -95,6 +95,12 @@ int64_t cholmod_shim_factor_entries(const cholmod_shim *self)
     return (int64_t)self->factor->xsize;
 }
 
+/* Operations of a factorisation of the analysed matrix. */
+double cholmod_shim_operations(const cholmod_shim *self)
+{
+    return self->common.fl;
+}
+
 /* Where the matrix is not positive definite, `failed` is the equation at which that was found. */
 int cholmod_shim_factor(cholmod_shim *self, int64_t n, int64_t *start, int64_t *row, double *value, int64_t *failed)
 {

@@ -35,7 +35,7 @@ contains
 
    !> Solve `K x = b` from `x = 0`, to a residual of `tolerance` times that of the start, or as near as `max_steps`
    !> come.
-   subroutine gmres(map, b, tolerance, max_steps, x)
+   subroutine gmres(map, b, tolerance, max_steps, x, converged)
       class(linear_map_t), intent(inout) :: map
       !> (n)
       real(dp), intent(in) :: b(:)
@@ -45,6 +45,8 @@ contains
       integer, intent(in) :: max_steps
       !> (n)
       real(dp), intent(out) :: x(:)
+      !> It has come there
+      logical, intent(out), optional :: converged
       real(dp) :: left(size(b)), allowed
       integer :: done
 
@@ -54,10 +56,10 @@ contains
       done = 0
       do while (norm2(left) > allowed .and. done < max_steps)
          call grow(map, left, allowed, min(max_vectors, max_steps - done), x, done)
-         if (done >= max_steps) exit
          call map%apply(x, left)
          left = b - left
       end do
+      if (present(converged)) converged = norm2(left) <= allowed
    end subroutine gmres
 
    !> Add to `x` the best correction in the Krylov space of the residual.

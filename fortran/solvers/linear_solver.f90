@@ -23,6 +23,10 @@ module litz_linear_solver
       integer :: offset = 0
       !> Pivots are counted in so many first equations only
       integer :: n_counted = huge(1)
+      !> The matrix of the next `factor` is near the last one: a solver may keep the factor that it has, and iterate
+      logical :: may_keep = .false.
+      !> It has done so: nothing is known of the pivots of this matrix
+      logical :: has_kept = .false.
       !> Negative eigenvalues of a symmetric matrix, counted by the pivots of the last `factor`; 0 where it, or the
       !> symmetric part of an unsymmetric one, is positive definite (stable equilibrium); -1: the solver cannot tell
       integer :: negative_pivots = -1

@@ -354,7 +354,7 @@ contains
       !> First and last slot of the equations and of the unknowns of each node (2), each of one group of fields
       integer, intent(in) :: rows(2), columns(2)
       !> Tangents (slots of rows x nodes, slots of columns x nodes, cells)
-      real(dp), intent(in) :: k(:, :, :)
+      real(dp), contiguous, intent(in) :: k(:, :, :)
       !> Internal forces (slots of rows x nodes, cells)
       real(dp), intent(in), optional :: r(:, :)
       integer :: cell

@@ -15,8 +15,8 @@ module litz_scatter
    private
    public :: forces_t, clear_forces, scatter, scatter_tangent, chunk
 
-   !> Cells evaluated between two scatters: their tangents stay in the cache
-   integer, parameter :: chunk = 8192
+   !> Cells evaluated between two scatters: the tangents of elements, and nearly those of contacts, stay in the cache
+   integer, parameter :: chunk = 512
 
    !> Forces over all unknowns (n_slots, n_nodes): forces, moments, currents that leave the node.
    type :: forces_t
@@ -97,18 +97,16 @@ contains
       real(dp), intent(in), optional :: r(:, :)
       real(dp) :: largest(n_fields), dq(size(k, 2)), magnitude(size(k, 2))
       integer :: n_rows, n_columns, cell, a, i, node
-      logical :: is_prescribed
 
       n_rows = rows(2) - rows(1) + 1
       n_columns = columns(2) - columns(1) + 1
       largest = forces%reference
-      ! only the first iteration of an increment has any
-      is_prescribed = any(abs(increment(columns(1):columns(2), :)) > 0)
       !$omp parallel private(cell, a, i, node, dq, magnitude) reduction(max: largest) &
       !$omp& if (size(nodes, 2) >= worth_threads)
       do cell = 1, size(nodes, 2)
          do a = 1, size(nodes, 1)
             magnitude((a - 1)*n_columns + 1:a*n_columns) = forces%magnitude(columns(1):columns(2), nodes(a, cell))
+            dq((a - 1)*n_columns + 1:a*n_columns) = increment(columns(1):columns(2), nodes(a, cell))
          end do
          do a = 1, size(nodes, 1)
             node = nodes(a, cell)
@@ -122,11 +120,8 @@ contains
                      end associate
                   end do
                end if
-               if (is_prescribed) then
-                  dq = reshape(increment(columns(1):columns(2), nodes(:, cell)), [size(dq)])
-                  if (any(abs(dq) > 0)) forces%prescribed(rows(1):rows(2), node) = &
-                     forces%prescribed(rows(1):rows(2), node) + matmul(k_a, dq)
-               end if
+               if (any(abs(dq) > 0)) forces%prescribed(rows(1):rows(2), node) = &
+                  forces%prescribed(rows(1):rows(2), node) + matmul(k_a, dq)
             end associate
             call add_sensitivity(size(k, 1), size(k, 2), k(:, :, cell), (a - 1)*n_rows, magnitude, &
                forces%sensitivity(rows(1):rows(2), node))
