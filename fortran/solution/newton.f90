@@ -64,7 +64,7 @@ contains
       type(error_t), allocatable :: solver_error
       character(len=:), allocatable :: refusal
       integer, allocatable :: numbers(:)
-      logical :: keep, only_change
+      logical :: keep, is_near, only_change
 
       call start_iterate(problem)
       call prescribe(problem)
@@ -81,7 +81,7 @@ contains
          end if
          if (outcome%in_turn == 1) call outcome%note_residual()
          call count_status(problem, outcome%last)
-         if (outcome%in_turn == 1 .and. outcome%last%factor_age == 0 .and. &
+         if (outcome%in_turn == 1 .and. .not. outcome%kept_tangent .and. &
             .not. only_contacts_changed(outcome%last, numbers)) outcome%counted = outcome%counted + 1
          numbers = [numbers, outcome%last%contacts_active]
          if (.not. carries_prescribed(problem)) then
@@ -131,7 +131,8 @@ contains
          end if
          if (outcome%in_turn > 1) cycle
          keep = keeps_factor(problem, step, outcome)
-         call solve_step(problem, keep, outcome%iterations > 0, outcome%last%allowed, only_change, correction, solver_error)
+         is_near = outcome%iterations > 0 .and. step%reform_kernel == 0
+         call solve_step(problem, keep, is_near, outcome%last%allowed, only_change, correction, solver_error)
          if (allocated(solver_error)) then
             call give_up(outcome, cause_singular, solver_error%message)
             return
@@ -148,13 +149,14 @@ contains
    !> What a solve has shown.
    pure subroutine note_solve(problem, kept, outcome)
       type(problem_t), intent(in) :: problem
-      !> The factor was that of an earlier iteration
+      !> The tangent was that of an earlier iteration
       logical, intent(in) :: kept
       type(outcome_t), intent(inout) :: outcome
 
       outcome%iterations = outcome%iterations + 1
       outcome%last%iteration = outcome%iterations
       outcome%last%factor_age = problem%factor_age
+      outcome%kept_tangent = kept
       if (.not. kept) then
          outcome%factorisations = outcome%factorisations + 1
       end if
@@ -339,7 +341,7 @@ contains
    !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
    subroutine solve_step(problem, keep, is_near, allowed, only_change, correction, error)
       type(problem_t), intent(inout) :: problem
-      !> The factor of an earlier iteration will do
+      !> The tangent of an earlier iteration will do
       logical, intent(in) :: keep
       !> The tangent is near the last one that was factored
       logical, intent(in) :: is_near
@@ -354,7 +356,6 @@ contains
 
       call problem%timing%lap(phase_update)
       if (.not. keep) call factor_tangent(problem, error, is_near)
-      problem%factor_age = merge(problem%factor_age + 1, 0, keep)
       call problem%timing%lap(phase_factor)
       if (allocated(error)) return
       correction = problem%iterate%prescribed
@@ -367,6 +368,7 @@ contains
       else
          call problem%scheme%solve(problem%matrix, problem%equations, rhs, correction, error)
       end if
+      problem%factor_age = merge(problem%factor_age + 1, 0, keep .or. problem%scheme%has_kept)
       call problem%iterate%carry(correction)
       call problem%timing%lap(phase_solve)
    end subroutine solve_step

@@ -18,9 +18,11 @@ module litz_outcome
 
    type :: outcome_t
       logical :: converged = .false.
-      !> All of them, and those that factored the tangent
+      !> All of them, and those with a tangent of their own
       integer :: iterations = 0, factorisations = 0
-      !> Those that factored it until the forces first balanced: what terms then bring up to date says nothing about the
+      !> The last one was solved with the tangent of an earlier one
+      logical :: kept_tangent = .false.
+      !> The latter until the forces first balanced: what terms then bring up to date says nothing about the
       !> size of the increment
       integer :: to_balance = 0
       !> Linear steps of which next to nothing could be taken

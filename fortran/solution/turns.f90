@@ -135,6 +135,7 @@ contains
       outcome%counted = outcome%counted + 1
       outcome%last%iteration = outcome%iterations
       outcome%last%factor_age = 0
+      outcome%kept_tangent = .false.
    end subroutine note_update
 
 end module litz_turns

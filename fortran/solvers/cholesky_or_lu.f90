@@ -111,16 +111,29 @@ contains
       self%has_kept = self%steps_with_kept >= fewest_steps
       if (self%has_kept) then
          if (present(coupling)) allocate (self%coupling, source=coupling)
-         return
+      else
+         call factor_anew(self, matrix, error, row_scale, column_scale, coupling)
       end if
+   end subroutine solver_factor
+
+   subroutine factor_anew(self, matrix, error, row_scale, column_scale, coupling)
+      class(cholesky_or_lu_t), intent(inout) :: self
+      type(csr_matrix_t), intent(in) :: matrix
+      type(error_t), allocatable, intent(out) :: error
+      !> As of `factor` (n_rows)
+      real(dp), intent(in), optional :: row_scale(:), column_scale(:)
+      !> As of `factor` (entries)
+      real(dp), intent(in), optional :: coupling(:)
+
+      self%has_kept = .false.
       call self%lu%release()
       call factor_cholesky(self, matrix, error, coupling)
       self%failed_equation = self%cholesky%failed_equation
       self%lu_used = self%failed_equation > 0
       if (self%lu_used) call factor_lu(self, matrix, error, row_scale, column_scale)
       if (allocated(error)) return
-      if (symmetric .or. self%lu_used .or. .not. self%is_near) call count_negative_pivots(self)
-   end subroutine solver_factor
+      if (self%symmetric .or. self%lu_used .or. .not. self%is_near) call count_negative_pivots(self)
+   end subroutine factor_anew
 
    subroutine factor_cholesky(self, matrix, error, coupling)
       class(cholesky_or_lu_t), intent(inout) :: self
@@ -198,12 +211,7 @@ contains
       if (self%has_kept) then
          call iterate(matrix, self%cholesky, b, residual_of_kept, self%steps_with_kept, x, converged, error)
          if (allocated(error) .or. converged) return
-         self%may_keep = .false.
-         if (allocated(self%coupling)) then
-            call self%factor(matrix, self%symmetric, error, coupling=[self%coupling])
-         else
-            call self%factor(matrix, self%symmetric, error)
-         end if
+         call factor_anew(self, matrix, error, coupling=self%coupling)
          if (allocated(error)) return
       end if
       if (.not. (self%lu_used .or. self%symmetric)) then

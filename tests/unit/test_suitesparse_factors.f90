@@ -24,6 +24,9 @@ program test_suitesparse_factors
    call the_symmetric_part_solves_what_is_nearly_symmetric()
    call the_solver_falls_back_where_the_skew_part_is_large()
    call a_coupling_is_left_to_the_iteration()
+   call an_earlier_factor_solves_what_is_near()
+   call what_is_far_is_factored_anew()
+   call an_earlier_factor_is_kept_where_that_pays_alone()
    deallocate (factor)
    allocate (umfpack_factor_t :: factor)
    call pivots_multiply_to_the_determinant(factor, 'UMFPACK')
@@ -152,6 +155,116 @@ contains
       call csr_add_product(matrix, -1.0_dp, x, b)
       call check(solver%lu_used .and. maxval(abs(b)) < 1.0e-13_dp, 'LU where the rest is not near either')
    end subroutine a_coupling_is_left_to_the_iteration
+
+   !> Full matrices: a factorisation takes n^3/3 operations, the factor is stored as n^2 numbers.
+   subroutine full_matrix(m, diagonal, skew, matrix)
+      integer, intent(in) :: m
+      !> Of each equation (m): with the rest 1/(1 + |i - j|) they are positive definite above 2 ln m
+      real(dp), intent(in) :: diagonal(:)
+      !> Added above the diagonal, taken away below
+      real(dp), intent(in) :: skew
+      type(csr_matrix_t), intent(out) :: matrix
+      integer :: i, j
+
+      call pattern_from_cliques(m, [1, m + 1], [(i, i=1, m)], matrix)
+      do i = 1, m
+         do j = 1, m
+            matrix%value(csr_position(matrix, i, j)) = 1.0_dp/(1 + abs(i - j)) + sign(skew, real(j - i, dp))
+         end do
+         matrix%value(csr_position(matrix, i, i)) = diagonal(i)
+      end do
+   end subroutine full_matrix
+
+   subroutine solve_and_check(solver, matrix, tolerance, what)
+      type(cholesky_or_lu_t), intent(inout) :: solver
+      type(csr_matrix_t), intent(in) :: matrix
+      !> Of the residual, relative to the right-hand side
+      real(dp), intent(in) :: tolerance
+      character(len=*), intent(in) :: what
+      type(error_t), allocatable :: error
+      real(dp) :: b(matrix%n_rows), x(matrix%n_rows), left(matrix%n_rows)
+      integer :: i
+
+      b = [(sin(1.0_dp*i), i=1, size(b))]
+      call solver%solve(matrix, b, x, error)
+      call check(.not. allocated(error), what//': no error')
+      left = b
+      call csr_add_product(matrix, -1.0_dp, x, left)
+      call check(norm2(left) <= tolerance*norm2(b), what//': the residual')
+   end subroutine solve_and_check
+
+   subroutine an_earlier_factor_solves_what_is_near()
+      integer, parameter :: m = 600
+      type(cholesky_or_lu_t) :: solver
+      type(csr_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+      real(dp) :: coupling(m*m)
+      integer :: i
+
+      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
+      call solver%analyse(matrix, error)
+      call solver%factor(matrix, .true., error)
+      call solve_and_check(solver, matrix, 1.0e-13_dp, 'a matrix with its own factor')
+      solver%may_keep = .true.
+      call full_matrix(m, [(21 + 0.5_dp*sin(1.0_dp*i), i=1, m)], 0.0_dp, matrix)
+      call solver%factor(matrix, .true., error)
+      call solve_and_check(solver, matrix, 3.0e-4_dp, 'one that is near')
+      call check(solver%has_kept, 'the factor was kept')
+      call check(solver%negative_pivots == -1, 'nothing is known of the pivots of a matrix that was not factored')
+      call full_matrix(m, [(21 + 0.5_dp*sin(1.0_dp*i), i=1, m)], 1.0e-3_dp, matrix)
+      coupling = 0
+      coupling(2) = 0.1_dp
+      matrix%value = matrix%value + coupling
+      call solver%factor(matrix, .false., error, coupling=coupling)
+      call solve_and_check(solver, matrix, 3.0e-4_dp, 'one that is near and not symmetric')
+      call check(solver%has_kept, 'the factor was kept for that, too')
+   end subroutine an_earlier_factor_solves_what_is_near
+
+   subroutine what_is_far_is_factored_anew()
+      integer, parameter :: m = 600
+      type(cholesky_or_lu_t) :: solver
+      type(csr_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+      real(dp) :: coupling(m*m)
+      integer :: i
+
+      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
+      call solver%analyse(matrix, error)
+      call solver%factor(matrix, .true., error)
+      solver%may_keep = .true.
+      call full_matrix(m, [(20.0_dp*i, i=1, m)], 0.0_dp, matrix)
+      call solver%factor(matrix, .true., error)
+      call solve_and_check(solver, matrix, 1.0e-13_dp, 'a matrix that is far')
+      call check(.not. solver%has_kept .and. solver%negative_pivots == 0, 'which is known to be positive definite then')
+      call full_matrix(m, [(20*i*cos(1.0_dp*i), i=1, m)], 0.0_dp, matrix)
+      call solver%factor(matrix, .true., error)
+      call solve_and_check(solver, matrix, 1.0e-12_dp, 'an indefinite one')
+      call check(solver%lu_used .and. solver%negative_pivots > 0, 'whose negative pivots are told')
+      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
+      call solver%factor(matrix, .true., error)
+      call check(.not. (solver%has_kept .or. solver%lu_used), 'an LU is not kept')
+      call full_matrix(m, [(20.0_dp*i, i=1, m)], 1.0e-3_dp, matrix)
+      coupling = 0
+      coupling(2) = 3.0e4_dp
+      matrix%value = matrix%value + coupling
+      call solver%factor(matrix, .false., error, coupling=coupling)
+      call solve_and_check(solver, matrix, 1.0e-8_dp, 'one with a coupling')
+      call check(.not. (solver%has_kept .or. solver%lu_used), 'which is left out of the new factor')
+   end subroutine what_is_far_is_factored_anew
+
+   !> A chain is factored as fast as a step of the iteration takes.
+   subroutine an_earlier_factor_is_kept_where_that_pays_alone()
+      type(cholesky_or_lu_t) :: solver
+      type(csr_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+
+      call skew_chain(0.0_dp, matrix)
+      call solver%analyse(matrix, error)
+      call solver%factor(matrix, .true., error)
+      solver%may_keep = .true.
+      call solver%factor(matrix, .true., error)
+      call check(.not. solver%has_kept .and. solver%negative_pivots == 0, 'a chain is factored anew')
+   end subroutine an_earlier_factor_is_kept_where_that_pays_alone
 
    subroutine a_negative_diagonal_is_found(factor, name)
       class(sparse_factor_t), intent(inout) :: factor
