@@ -19,8 +19,9 @@ module litz_contact_descent
 
    !> Slope at the end of the step over that at its start that is left alone
    real(dp), parameter :: small_slope = 0.5_dp
-   !> Halvings of the interval in which the slope vanishes
-   integer, parameter :: max_halvings = 20
+   !> The fraction is known to this, or the slope vanishes to this part of that at the start of the step
+   real(dp), parameter :: accurate = 1.0e-6_dp
+   integer, parameter :: max_chords = 60
    !> Of a step, at least
    real(dp), parameter :: least_fraction = 1.0e-3_dp
 
@@ -34,35 +35,60 @@ contains
       !> External minus internal forces of the iteration, and its linear step (n_slots, n_nodes)
       real(dp), intent(in) :: residual(:, :), step(:, :)
       !> Gaps that the iteration has started from, their change in the whole step [m], and S [J]
-      real(dp) :: gap(size(points)), dgap(size(points)), work, lower, upper
+      real(dp) :: gap(size(points)), dgap(size(points)), work
+      logical :: acts(size(points))
       integer :: i
 
       eta = 1
       if (size(points) == 0) return
       work = sum(residual(motion_slots(1):motion_slots(2), :)*step(motion_slots(1):motion_slots(2), :))      ! S
       if (.not. work > 0) return
+      acts = .false.
       do i = 1, size(points)
          associate (point => points(i))
+            if (.not. point%weight > 0) cycle
             gap(i) = merge(point%predicted_gap, point%gap, point%predicted)
             dgap(i) = point%gap - gap(i) + dot_product(point%kinematics%dgap, &
                reshape(step(motion_slots(1):motion_slots(2), [model%connectivity(:, point%element_bar), &
                model%connectivity(:, point%element)]), [n_motions]))
+            ! what stays open all the way has no part in it
+            acts(i) = min(gap(i), gap(i) + dgap(i)) < 0 .or. abs(point%mixed_force) > 0 .or. abs(point%stiffness) > 0
          end associate
       end do
       if (slope(1.0_dp) <= small_slope*work) return
-      lower = 0
-      upper = 1
-      do i = 1, max_halvings
-         eta = (lower + upper)/2
-         if (slope(eta) > 0) then
-            upper = eta
-         else
-            lower = eta
-         end if
-      end do
-      eta = max(lower, least_fraction)
+      eta = max(zero_of_slope(), least_fraction)
 
    contains
+
+      !> By chords; an end that stays twice counts half (the Illinois rule). The slope grows with the fraction.
+      pure real(dp) function zero_of_slope() result(zero)
+         real(dp) :: lower, upper, of_lower, of_upper, here
+         integer :: n, moved
+
+         moved = 0
+         lower = 0
+         upper = 1
+         of_lower = slope(lower)
+         of_upper = slope(upper)
+         zero = 0
+         do n = 1, max_chords
+            if (.not. (of_lower < 0 .and. upper - lower > accurate)) exit
+            zero = upper - of_upper*(upper - lower)/(of_upper - of_lower)
+            here = slope(zero)
+            if (abs(here) <= accurate*work) exit
+            if (here > 0) then
+               upper = zero
+               of_upper = here
+               if (moved == 1) of_lower = of_lower/2
+               moved = 1
+            else
+               lower = zero
+               of_lower = here
+               if (moved == -1) of_upper = of_upper/2
+               moved = -1
+            end if
+         end do
+      end function zero_of_slope
 
       !> Of the energy, at a fraction of the step [J].
       pure real(dp) function slope(fraction)
@@ -74,7 +100,7 @@ contains
          slope = -(1 - fraction)*work
          do k = 1, size(points)
             associate (point => points(k))
-               if (.not. point%weight > 0) cycle
+               if (.not. acts(k)) cycle
                law = law_of_place(point, -(gap(k) + fraction*dgap(k)), model%interactions( &
                   model%contact_pairs(point%pair)%interaction)%normal%line_penalty())
                slope = slope + (point%mixed_force - law%force &

@@ -111,7 +111,7 @@ contains
       error stop 1
    end subroutine prepare
 
-   !> The interval is halved 20 times.
+   !> The fraction is sought to 1e-6.
    elemental logical function near(a, b)
       real(dp), intent(in) :: a, b
 
