@@ -34,6 +34,8 @@ module litz_cholesky_or_lu
       logical :: is_near = .false.
       !> Steps at most with an earlier factor
       integer, private :: steps_with_kept = 0
+      !> They have not sufficed since the first of these matrices: none is tried with them until the next first one
+      logical, private :: kept_in_vain = .false.
       !> What the last `factor` was to leave out of its matrix, if it has kept an earlier factor (entries)
       real(dp), allocatable, private :: coupling(:)
    contains
@@ -107,7 +109,10 @@ contains
       self%symmetric = symmetric
       if (allocated(self%coupling)) deallocate (self%coupling)
       self%steps_with_kept = 0
-      if (self%may_keep .and. self%cholesky%factored) self%steps_with_kept = steps_worth_a_factor(self)
+      self%kept_in_vain = self%kept_in_vain .and. self%may_keep
+      if (self%may_keep .and. self%cholesky%factored .and. .not. self%kept_in_vain) then
+         self%steps_with_kept = steps_worth_a_factor(self)
+      end if
       self%has_kept = self%steps_with_kept >= fewest_steps
       if (self%has_kept) then
          if (present(coupling)) allocate (self%coupling, source=coupling)
@@ -211,6 +216,7 @@ contains
       if (self%has_kept) then
          call iterate(matrix, self%cholesky, b, residual_of_kept, self%steps_with_kept, x, converged, error)
          if (allocated(error) .or. converged) return
+         self%kept_in_vain = .true.
          call factor_anew(self, matrix, error, coupling=self%coupling)
          if (allocated(error)) return
       end if

@@ -201,11 +201,7 @@ contains
       real(dp) :: coupling(m*m)
       integer :: i
 
-      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
-      call solver%analyse(matrix, error)
-      call solver%factor(matrix, .true., error)
-      call solve_and_check(solver, matrix, 1.0e-13_dp, 'a matrix with its own factor')
-      solver%may_keep = .true.
+      call begin(solver, m)
       call full_matrix(m, [(21 + 0.5_dp*sin(1.0_dp*i), i=1, m)], 0.0_dp, matrix)
       call solver%factor(matrix, .true., error)
       call solve_and_check(solver, matrix, 3.0e-4_dp, 'one that is near')
@@ -220,6 +216,22 @@ contains
       call check(solver%has_kept, 'the factor was kept for that, too')
    end subroutine an_earlier_factor_solves_what_is_near
 
+   !> The first of matrices that are near each other: that with 20 on the diagonal.
+   subroutine begin(solver, m)
+      type(cholesky_or_lu_t), intent(inout) :: solver
+      integer, intent(in) :: m
+      type(csr_matrix_t) :: matrix
+      type(error_t), allocatable :: error
+      integer :: i
+
+      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
+      if (.not. allocated(solver%lu)) call solver%analyse(matrix, error)
+      solver%may_keep = .false.
+      call solver%factor(matrix, .true., error)
+      call check(.not. (allocated(error) .or. solver%has_kept), 'the first matrix has a factor of its own')
+      solver%may_keep = .true.
+   end subroutine begin
+
    subroutine what_is_far_is_factored_anew()
       integer, parameter :: m = 600
       type(cholesky_or_lu_t) :: solver
@@ -228,21 +240,22 @@ contains
       real(dp) :: coupling(m*m)
       integer :: i
 
-      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
-      call solver%analyse(matrix, error)
-      call solver%factor(matrix, .true., error)
-      solver%may_keep = .true.
+      call begin(solver, m)
       call full_matrix(m, [(20.0_dp*i, i=1, m)], 0.0_dp, matrix)
       call solver%factor(matrix, .true., error)
-      call solve_and_check(solver, matrix, 1.0e-13_dp, 'a matrix that is far')
-      call check(.not. solver%has_kept .and. solver%negative_pivots == 0, 'which is known to be positive definite then')
+      call check(solver%has_kept, 'a matrix that is far is tried with the earlier factor')
+      call solve_and_check(solver, matrix, 1.0e-13_dp, 'and solved with its own')
+      call check(.not. solver%has_kept .and. solver%negative_pivots == 0, 'it is known to be positive definite then')
+      call solver%factor(matrix, .true., error)
+      call check(.not. solver%has_kept, 'those after it are not tried')
+      call begin(solver, m)
       call full_matrix(m, [(20*i*cos(1.0_dp*i), i=1, m)], 0.0_dp, matrix)
       call solver%factor(matrix, .true., error)
       call solve_and_check(solver, matrix, 1.0e-12_dp, 'an indefinite one')
       call check(solver%lu_used .and. solver%negative_pivots > 0, 'whose negative pivots are told')
-      call full_matrix(m, [(20.0_dp, i=1, m)], 0.0_dp, matrix)
       call solver%factor(matrix, .true., error)
-      call check(.not. (solver%has_kept .or. solver%lu_used), 'an LU is not kept')
+      call check(.not. solver%has_kept, 'an LU is not kept')
+      call begin(solver, m)
       call full_matrix(m, [(20.0_dp*i, i=1, m)], 1.0e-3_dp, matrix)
       coupling = 0
       coupling(2) = 3.0e4_dp
