@@ -46,6 +46,16 @@ module litz_contact_crossings
       integer :: n = 0
    end type minima_t
 
+   !> A minimum of a candidate, of which there may be several at one place.
+   type :: found_t
+      integer :: candidate = 0
+      !> Elements, and places in them
+      integer :: element_bar = 0, element = 0
+      real(dp) :: xi_bar = 0, xi = 0
+      !> At a round end or joint of the barred, of the unbarred wire
+      logical :: held(2) = .false.
+   end type found_t
+
 contains
 
    !> Find the crossings in the present configuration; points carry on the memory of those of the last call.
@@ -156,35 +166,33 @@ contains
       !> (n_candidates)
       type(minima_t), intent(in) :: minima(:)
       type(contact_point_t), allocatable, intent(out) :: points(:)
-      type(contact_point_t), allocatable :: all_points(:)
-      logical, allocatable :: keep(:)
+      type(found_t), allocatable :: found(:)
       integer :: k, i, m
 
-      allocate (all_points(sum(minima%n)))
+      allocate (found(sum(minima%n)))
       m = 0
       do k = 1, size(minima)
          do i = 1, minima(k)%n
             m = m + 1
-            associate (point => all_points(m), minimum => minima(k)%at(i))
-               point%candidate = k
-               point%element_bar = candidates(1, k)
-               point%element = candidates(2, k)
-               point%pair = candidates(3, k)
-               point%xi_bar = minimum%xi(1)
-               point%xi = minimum%xi(2)
-               point%held = minimum%held
-               point%arc_bar = arc_at(wires, elements, candidates(1, k), minimum%xi(1))
-               point%arc = arc_at(wires, elements, candidates(2, k), minimum%xi(2))
+            associate (minimum => minima(k)%at(i))
+               found(m) = found_t(k, candidates(1, k), candidates(2, k), minimum%xi(1), minimum%xi(2), minimum%held)
             end associate
          end do
       end do
-      keep = are_new(model, wires, elements, all_points)
-      allocate (points(count(keep)))
-      m = 0
-      do i = 1, size(keep)
-         if (.not. keep(i)) cycle
-         m = m + 1
-         points(m) = all_points(i)
+      found = pack(found, are_new(model, wires, elements, found))
+      allocate (points(size(found)))
+      do i = 1, size(found)
+         associate (point => points(i), place => found(i))
+            point%candidate = place%candidate
+            point%element_bar = place%element_bar
+            point%element = place%element
+            point%pair = candidates(3, place%candidate)
+            point%xi_bar = place%xi_bar
+            point%xi = place%xi
+            point%held = place%held
+            point%arc_bar = arc_at(wires, elements, place%element_bar, place%xi_bar)
+            point%arc = arc_at(wires, elements, place%element, place%xi)
+         end associate
       end do
    end subroutine collect_points
 
@@ -194,7 +202,7 @@ contains
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      type(contact_point_t), intent(in) :: points(:)
+      type(found_t), intent(in) :: points(:)
       logical :: keep(size(points))
       !> The last point so far at each node of a barred wire, and behind these elsewhere on each barred wire, and the
       !> one before each point
@@ -268,7 +276,7 @@ contains
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
-      type(contact_point_t), intent(in) :: points(:)
+      type(found_t), intent(in) :: points(:)
       !> A point, the last one there, and the one before each point (n_points)
       integer, intent(in) :: k, last, before(:)
       real(dp) :: near

@@ -8,6 +8,7 @@ module litz_contact_step
    use litz_fields, only: motion_slots, temperature_slots
    use litz_friction_iteration, only: predict_friction
    use litz_model, only: model_t
+   use litz_parallel, only: worth_threads
    implicit none
    private
    public :: bearable_fraction, predict_contacts
@@ -68,6 +69,7 @@ contains
       real(dp) :: dq(n_motions), warmer(4), dgap, force
       integer :: i, nodes(4)
 
+      !$omp parallel do schedule(static) private(dq, warmer, dgap, force, nodes) if (size(points) >= worth_threads)
       do i = 1, size(points)
          associate (point => points(i))
             nodes = [model%connectivity(:, point%element_bar), model%connectivity(:, point%element)]
@@ -95,6 +97,7 @@ contains
             point%mixed_force = max(force, 0.0_dp)
          end associate
       end do
+      !$omp end parallel do
    end subroutine predict_contacts
 
 end module litz_contact_step
