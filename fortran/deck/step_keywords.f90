@@ -428,10 +428,10 @@ contains
       call finish(table, k)
       call begin(k, 'SOLUTION TECHNIQUE', place_step, &
          'How often this step and the later ones factorise the tangent, as in Abaqus. NEWTON, the default: in every'// &
-         ' iteration, or, where that pays, as in large networks, in the first one of each increment, whose factor then'// &
-         ' helps to solve with the tangents of the others. MODIFIED NEWTON (litz extension): a factor is reused, also from one increment to the next, as'// &
-         ' long as each iteration leaves at most a hundredth of the residual and no contact opens or closes;'// &
-         ' convergence is then linear, to the same solution.')
+         ' iteration, or, where that pays, as in large networks, in the first one of each increment, whose factor'// &
+         ' then helps to solve with the tangents of the others. MODIFIED NEWTON (litz extension): a factor is'// &
+         ' reused, also from one increment to the next, as long as each iteration leaves at most a hundredth of the'// &
+         ' residual and no contact opens or closes; convergence is then linear, to the same solution.')
       call k%add(choice('TYPE', 'NEWTON|MODIFIED NEWTON', 'when the tangent is factored', required=.true.))
       call k%add(count_of('REFORM KERNEL', 'maximum number of iterations with the same factor', '8'))
       call finish(table, k)
