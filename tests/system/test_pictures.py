@@ -15,6 +15,7 @@ from PIL import Image
 import litz
 from litz.cli import main
 from litz.pictures import animation, charts, plots, residual_charts
+from litz.pictures.chart_tools import from_zero
 from litz.pictures.friction_charts import friction_loops
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.wire_picture import discs
@@ -288,6 +289,14 @@ def test_a_contact_that_opens_has_no_force_until_it_closes_again(run_of_input):
     assert len(force) == len(results.times)
     assert force[2.0] == 0
     assert min(force[1.9], force[2.1]) > 0
+
+
+def test_values_that_are_all_alike_are_below_the_top_of_their_axes():
+    axes = Figure().add_subplot()
+    axes.plot([1.0], [1.19], "o")
+    axes.fill_between([1.0], [1.18], [1.2])
+    from_zero(axes)
+    assert axes.get_ylim() == pytest.approx((0.0, 1.05 * 1.2))
 
 
 @pytest.mark.parametrize(("card", "text"), [
