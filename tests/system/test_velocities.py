@@ -118,7 +118,8 @@ def test_a_velocity_begins_where_its_node_is_by_whatever_set_it_has_been_moved(m
 
 def test_nodes_of_a_set_go_on_each_from_where_it_is(motion):
     times, moved = motion(
-        step("*Boundary, type=VELOCITY", "E, 3, 3, 0.1", "F, 3, 3, 0.05"), step("*Boundary, type=VELOCITY", "Ends, 3, 3, 0.2")
+        step("*Boundary, type=VELOCITY", "E, 3, 3, 0.1", "F, 3, 3, 0.05"),
+        step("*Boundary, type=VELOCITY", "Ends, 3, 3, 0.2"),
     )
     assert moved[times == 4.0, :, 2] == pytest.approx(np.array([[0.6, 0.5]]), abs=1e-12)
 

@@ -82,7 +82,12 @@ def velocities_as_displacements(cards: list[Card]) -> Iterator[tuple[str, bool]]
     if not any(_is_velocity(card) for card in cards):
         return
     tables = {squeezed(str(card.get("NAME", ""))): card for card in cards if card.is_a("AMPLITUDE")}
-    motion, whole, durations, new = _Motion(MeshOfCards(cards)), sum(_durations(cards)), _durations(cards), _names(tables)
+    motion, whole, durations, new = (
+        _Motion(MeshOfCards(cards)),
+        sum(_durations(cards)),
+        _durations(cards),
+        _names(tables),
+    )
     amplitudes: list[Card] = []
     in_step = False
     for card in list(cards):
