@@ -13,6 +13,7 @@ from matplotlib.image import imread
 from PIL import Image
 
 import litz
+from in_process import command
 from litz.cli import main
 from litz.pictures import animation, charts, plots, residual_charts
 from litz.pictures.chart_tools import from_zero
@@ -243,11 +244,16 @@ class TestCommand:
             (["--animate", "-o", "a.avi"], "a .gif or .mp4 file"),
         ],
     )
-    def test_wrong_options_are_answered_in_words(self, run_of_input, options, message, capsys):
-        with pytest.raises(SystemExit) as ended:
-            main(["plot", str(run_of_input("05_clamped_pair")), *options])
-        assert ended.value.code == 1
-        assert message in capsys.readouterr().err
+    def test_wrong_options_are_answered_in_words(self, run_of_input, options, message):
+        done = command("plot", run_of_input("05_clamped_pair"), *options)
+        assert done.returncode == 1
+        assert message in done.stderr
+
+    def test_what_results_do_not_have_is_told_without_how_the_command_is_used(self, run_of_input):
+        done = command("plot", run_of_input("05_clamped_pair"), "section")
+        assert done.returncode == 1
+        assert done.stderr.startswith("error: wire ")
+        assert len(done.stderr.splitlines()) == 1
 
     @pytest.mark.parametrize(
         ("arguments", "message"),
