@@ -25,20 +25,28 @@ _Table = list[tuple[float, float]]
 class _Row(NamedTuple):
     """A line of `*BOUNDARY`."""
 
-    #: Node or set, as the line has it, and its nodes
+    #: Node or set, as the line has it
     target: Value
+    #: Its nodes
     nodes: list[int]
+    #: Degrees of freedom
     dofs: list[int]
+    #: Velocity or displacement
     value: float
 
 
 class _Moving(NamedTuple):
     """Nodes of a line that move alike along a degree of freedom, from where they are when the step begins."""
 
+    #: Node or set that the new line has
     target: Value
+    #: Its nodes
     nodes: list[int]
+    #: Degree of freedom
     dof: int
+    #: Velocity
     value: float
+    #: Displacement when the step begins
     start: float
 
 

@@ -65,8 +65,8 @@ def keep_weights_of_earlier_steps(cards: list[Card], dialect: str | None, path: 
         if len(amplitudes) > 1:
             names = " and ".join(name or "none" for name in sorted(amplitudes))
             raise ValueError(
-                f"{path}: GRAV of step {number}: CalculiX adds it to that of earlier steps, which has another *AMPLITUDE ({names}):"
-                " weights that act together have one in litz"
+                f"{path}: GRAV of step {number}: CalculiX adds it to that of earlier steps, with another *AMPLITUDE"
+                f" ({names}): weights that act together have one in litz"
             )
         again.append((last, kept))
         yield (
