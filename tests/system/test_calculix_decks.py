@@ -329,6 +329,13 @@ class TestWeightsOfSteps:
         # ten bricks of CalculiX, which are 2 % stiffer than that
         assert found[1:] == pytest.approx(displacements_of_calculix(path)[21][1:], rel=0.025, abs=1e-10)
 
+    def test_weights_that_act_together_have_one_amplitude(self, tmp_path):
+        path = tmp_path / "heavy.inp"
+        text = self.deck("*DLOAD, AMPLITUDE=A\nBEAM, GRAV, 0.02, 0, 0, -1", "*DLOAD\nBEAM, GRAV, 0.01, 0, 1, 0")
+        path.write_text(text.replace("*BOUNDARY\n", "*AMPLITUDE, NAME=A\n0, 0, 1, 0.5\n*BOUNDARY\n", 1))
+        with pytest.raises(ValueError, match=r"GRAV of step 2: .* another \*AMPLITUDE \(none and A\)"):
+            convert_deck(path, "ccx")
+
     def test_whose_deck_it_is_must_be_known(self, tmp_path):
         path = tmp_path / "heavy.inp"
         path.write_text(self.deck(*(f"*DLOAD\n{line}" for line in WEIGHTS["another direction"][0])))

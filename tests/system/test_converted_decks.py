@@ -289,6 +289,19 @@ def test_smooth_steps_are_tables(convert, litz, tmp_path):
     np.testing.assert_allclose(deflection / deflection[-1], [0, quarter, 0.5, 1 - quarter, 1], rtol=1e-6)
 
 
+def test_steps_have_room_for_the_increments_that_end_at_the_points_of_a_curve(convert, litz, tmp_path):
+    """A sum of two waves that a step passes a dozen times, with more points than the 100 increments of a step without INC."""
+    waves = "name=Amp-1, definition=PERIODIC\n2, 75., 0., 0.\n 0., 1., 0., 0.3\n"
+    done, new = convert(
+        CAE.replace("name=Amp-1\n0., 0., 1., 1.\n", waves).replace("1., 1., 1e-05, 1.", "0.25, 1., 1e-05, 0.25")
+    )
+    assert done.returncode == 0, done.stderr
+    points = new.split("*Amplitude, name=Amp-1\n")[1].split("*")[0].count(",") // 2
+    assert points > 100
+    process = litz("run", "new.inp", "-o", "out", cwd=tmp_path)
+    assert process.returncode == 0, process.stderr
+
+
 def test_definitions_that_nothing_uses_become_comments(convert, litz, tmp_path):
     """Abaqus/CAE writes all that a model has; litz would take them for misspelt references."""
     more = "*Amplitude, name=Amp-2\n0., 0., 1., 1.\n*Material, name=Brass\n*Density\n8.4e-9\n*Elastic\n100000., 0.35\n"

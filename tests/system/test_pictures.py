@@ -13,8 +13,10 @@ from matplotlib.image import imread
 from PIL import Image
 
 import litz
+from in_process import command
 from litz.cli import main
 from litz.pictures import animation, charts, plots, residual_charts
+from litz.pictures.chart_tools import from_zero
 from litz.pictures.friction_charts import friction_loops
 from litz.pictures.scene import SceneMaker, aim
 from litz.pictures.wire_picture import discs
@@ -242,11 +244,16 @@ class TestCommand:
             (["--animate", "-o", "a.avi"], "a .gif or .mp4 file"),
         ],
     )
-    def test_wrong_options_are_answered_in_words(self, run_of_input, options, message, capsys):
-        with pytest.raises(SystemExit) as ended:
-            main(["plot", str(run_of_input("05_clamped_pair")), *options])
-        assert ended.value.code == 1
-        assert message in capsys.readouterr().err
+    def test_wrong_options_are_answered_in_words(self, run_of_input, options, message):
+        done = command("plot", run_of_input("05_clamped_pair"), *options)
+        assert done.returncode == 1
+        assert message in done.stderr
+
+    def test_what_results_do_not_have_is_told_without_how_the_command_is_used(self, run_of_input):
+        done = command("plot", run_of_input("05_clamped_pair"), "section")
+        assert done.returncode == 1
+        assert done.stderr.startswith("error: wire ")
+        assert len(done.stderr.splitlines()) == 1
 
     @pytest.mark.parametrize(
         ("arguments", "message"),
@@ -288,6 +295,14 @@ def test_a_contact_that_opens_has_no_force_until_it_closes_again(run_of_input):
     assert len(force) == len(results.times)
     assert force[2.0] == 0
     assert min(force[1.9], force[2.1]) > 0
+
+
+def test_values_that_are_all_alike_are_below_the_top_of_their_axes():
+    axes = Figure().add_subplot()
+    axes.plot([1.0], [1.19], "o")
+    axes.fill_between([1.0], [1.18], [1.2])
+    from_zero(axes)
+    assert axes.get_ylim() == pytest.approx((0.0, 1.05 * 1.2))
 
 
 @pytest.mark.parametrize(("card", "text"), [

@@ -2,6 +2,7 @@
 
 import base64
 import gzip
+import json
 import re
 
 import numpy as np
@@ -11,6 +12,7 @@ import litz
 from litz.base.table import Table
 from litz.cli import main
 from litz.reports import report_tables
+from litz.viewer.data import WebData
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*drawn with matplotlib only")
 
@@ -109,6 +111,16 @@ class TestWorstContacts:
             {"semi_major": np.array([2e-5, 0.0]), "semi_minor": np.array([1e-5, 0.0]), "current": np.array([-3.0, 1.0])}, {}
         )  # fmt: skip
         np.testing.assert_allclose(report_tables.current_density(ledger), [3 / (np.pi * 2e-10), 0])
+
+    def test_currents_that_are_only_round_off_are_none(self, tmp_path):
+        results = litz.run(litz.new("film", tmp_path / "film.inp"), output_directory=tmp_path)
+        current = np.abs(results.contacts["current"])
+        # through wires that lead nowhere
+        dead = (current > 0) & (current < 1e-9 * current.max())
+        assert dead.any()
+        assert re.search(r"e-\d+ [a-z]?A", plain(report_tables.worst_contacts(results))) is None
+        shown = np.abs(json.loads(WebData(results).increment(len(results.times) - 1))["contacts"]["current"])
+        assert shown[shown > 0].min() > 1e-9 * current.max()
 
     def test_the_largest_force_is_that_of_the_ledger(self, grid):
         text = plain(report_tables.worst_contacts(grid))

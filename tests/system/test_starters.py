@@ -5,6 +5,7 @@ import pytest
 
 import litz
 from in_process import command
+from litz import build
 from litz.build.starters import STARTERS
 
 #: Those with wires that touch
@@ -34,6 +35,23 @@ def test_a_starter_says_what_each_kind_of_card_is_for(task, tmp_path):
     for keyword in ("ELEMENT", "MATERIAL", "BEAM SECTION", "STEP", *kinds):
         assert deck.find(keyword)[0].comments, keyword
     assert "litz run deck.inp -o deck" in deck.text
+
+
+def test_yarns_of_the_fabric_touch_each_other_at_all_crossings(tmp_path):
+    results = litz.run(litz.new("fabric", tmp_path / "deck.inp"), output_directory=tmp_path)
+    wires = results.contact_network(-1).wires
+    # the yarns come before the wires of the plates
+    yarns = np.sort(wires[(wires < 8).all(axis=1)], axis=1)
+    assert sorted(map(tuple, yarns.tolist())) == [(warp, weft) for warp in range(4) for weft in range(4, 8)]
+
+
+@pytest.mark.slow
+def test_the_mesh_of_the_cable_does_not_press(tmp_path):
+    results = litz.run(litz.new("cable", tmp_path / "deck.inp"), output_directory=tmp_path)
+    finer = build.cable([[3], [2]], radius=0.1e-3, lay_lengths=[8e-3, 16e-3], length=4e-3, elements_per_lay=80)
+    finer.press(-4e-6, voltage=1e-3, increment=0.25)
+    expected = finer.run(tmp_path / "finer").contacts_at(-1)["force"].sum()
+    assert results.contacts_at(-1)["force"].sum() == pytest.approx(expected, rel=0.01)
 
 
 def test_friction_of_the_starter_is_coulombs(tmp_path):

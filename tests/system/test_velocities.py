@@ -23,6 +23,8 @@ MODEL = """\
 2
 *Nset, nset=F
 4
+*Nset, nset=Ends
+E, F
 *Beam Section, elset=W, material=S, section=CIRC
 1.
 0., 0., -1.
@@ -103,6 +105,25 @@ def test_over_the_total_time_an_amplitude_goes_on(motion):
     assert moved[is_later, 1, 2] == pytest.approx(exact[is_later], abs=0.3 * 4 * (2 / 3) / 3200)
 
 
+def test_a_velocity_begins_where_its_node_is_by_whatever_set_it_has_been_moved(motion):
+    times, moved = motion(
+        step("*Boundary, type=VELOCITY", "2, 3, 3, 0.1"),
+        step("*Boundary", "E, 3, 3, 0.5"),
+        step("*Boundary, type=VELOCITY", "2, 3, 3, 0.1"),
+        step("*Boundary, fixed", "Ends, 3, 3"),
+        step("*Boundary, type=VELOCITY", "E, 3, 3, -0.2"),
+    )
+    assert moved[np.isin(times, (2, 4, 6, 8, 10)), 0, 2] == pytest.approx([0.2, 0.5, 0.7, 0.7, 0.3], abs=1e-12)
+
+
+def test_nodes_of_a_set_go_on_each_from_where_it_is(motion):
+    times, moved = motion(
+        step("*Boundary, type=VELOCITY", "E, 3, 3, 0.1", "F, 3, 3, 0.05"),
+        step("*Boundary, type=VELOCITY", "Ends, 3, 3, 0.2"),
+    )
+    assert moved[times == 4.0, :, 2] == pytest.approx(np.array([[0.6, 0.5]]), abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("steps", "reason"),
     [
@@ -113,6 +134,15 @@ def test_over_the_total_time_an_amplitude_goes_on(motion):
             "when the step begins is not known",
         ),
         ((step("*Boundary, type=VELOCITY", "E, 4, 5, 0.1"),), "turns about several axes"),
+        (
+            (step("*Boundary, type=VELOCITY", "E, 4, 4, 0.1", "*Boundary, type=VELOCITY", "2, 5, 5, 0.1"),),
+            "node 2 turns about several axes",
+        ),
+        (
+            (step("*Boundary", "Ends, 4, 4, 0.1"), step("*Boundary, type=VELOCITY", "E, 5, 5, 0.1")),
+            "node 2 turns about several axes",
+        ),
+        ((step("*Boundary, type=VELOCITY", "GONE, 3, 3, 0.1"),), "there is no node or node set GONE"),
         ((step("*Boundary, type=VELOCITY, amplitude=GONE", "E, 3, 3, 0.1"),), "NAME=GONE is no table"),
         ((step("*Boundary, type=VELOCITY", "E, 9, 9, 0.1"),), "of the degrees of freedom 1 to 6"),
     ],

@@ -103,3 +103,18 @@ def test_dots_push_each_other_apart_by_the_inverse_distance():
     expected = np.sum(apart / np.maximum(np.sum(apart**2, axis=2), 1e-6)[:, :, None], axis=1)
     # the place times the sum of weights up to 1e6 cancels
     np.testing.assert_allclose(_repulsion(places), expected, rtol=1e-9, atol=1e-8)
+
+
+def test_dots_are_off_the_lines_of_others():
+    """A dot on the line of two others would seem to be joined to them: here four dots in a row, and one on a line exactly."""
+    places = np.array([[-1.0, 0.0], [1.0, 0.0], [0.0, 0.0], [0.5, 0.01], [0.5, 1.0]])
+    pairs = np.array([[0, 1], [2, 4], [3, 4]])
+    moved = network_chart._off_lines(places, pairs)
+    for dot in range(5):
+        for first, last in pairs.tolist():
+            if dot not in (first, last):
+                along = moved[last] - moved[first]
+                part = np.clip((moved[dot] - moved[first]) @ along / (along @ along), 0, 1)
+                assert np.linalg.norm(moved[dot] - moved[first] - part * along) > 0.05
+    # and those that are off stay
+    np.testing.assert_allclose(network_chart._off_lines(places[[0, 1, 4]], pairs[:1]), places[[0, 1, 4]])

@@ -167,16 +167,20 @@ def _film() -> Model:
 
 
 def _fabric() -> Model:
-    model = woven_fabric(4, 4, pitch=1e-3, radius=0.1e-3)
-    model.title = "A plain-woven fabric of 4 x 4 copper wires pressed between two plates, 1 mV between them"
-    model.press(4e-6, voltage=1e-3, increment=0.25).node_print("PLUS", "RF", totals="ONLY")
+    model = woven_fabric(4, 4, pitch=1e-3, radius=0.1e-3, clearance=0.2e-6)
+    model.title = "A plain weave of 4 x 4 copper wires pressed between two plates, which have 1 mV"
+    # so far that warp and weft touch each other, too
+    model.press(2e-6, voltage=1e-3, increment=0.25).node_print("PLUS", "RF", totals="ONLY")
     return model
 
 
 def _cable() -> Model:
-    model = cable([[3], [2]], radius=0.1e-3, lay_lengths=[8e-3, 16e-3], length=4e-3)
+    # a pull as small as this one needs a fine mesh: overlaps between the nodes must be small beside those by the pull
+    model = cable([[3], [2]], radius=0.1e-3, lay_lengths=[8e-3, 16e-3], length=4e-3, elements_per_lay=56)
     model.title = "Two strands of three wires laid to a cable, pulled by 0.1 %, 1 mV between the ends"
-    model.comments = ["Wires touch along lines, in the strands and from strand to strand."]
+    model.comments = [
+        "The wires of a strand touch along lines; the strands come to touch each other when they are pulled further."
+    ]
     model.press(-4e-6, voltage=1e-3, name="PULL", increment=0.25).node_print("PLUS", "RF", totals="ONLY")
     return model
 

@@ -7,7 +7,7 @@ import warnings
 from pathlib import Path
 
 from ..build.starters import new, starter_list
-from ..errors import FileError
+from ..errors import FileError, InputError
 from ..model import COPPER, Material, Model
 from ..model.abaqus_mesh import DIALECTS
 from ..model.foreign_deck import convert_deck, has_materials, has_steps, refusal, refusal_by_itself, sections_of
@@ -113,7 +113,7 @@ def convert_command(arguments: list[str]) -> int:
             told = ", ".join(f"{name} ({shape or 'without a shape'})" for name, shape in sections.items())
             warnings.warn(f"wires of --radius replace the sections of {options.mesh}: {told}", stacklevel=2)
     except ValueError as error:
-        parser.error(str(error))
+        raise InputError(str(error)) from None
     print(f"wrote {options.deck}: {len(mesh.x)} nodes, {len(mesh.connectivity)} elements")
     for what, sets in (("element sets", model.element_sets | model.groups), ("node sets", model.node_sets)):
         if sets:

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.quantities import engineering
-from ..errors import FileError
+from ..errors import FileError, InputError
 from ..results import Results
 from .parsers import increment_of, results_parser
 
@@ -55,7 +55,7 @@ def network_command(arguments: list[str]) -> int:
                 raise FileError(f"cannot write {path}: {error.strerror or error}") from None
         print(_resistances(results, increment, options.at, options.superconducting), end="")
     except (ValueError, LookupError) as error:
-        parser.error(error.args[0])
+        raise InputError(error.args[0]) from None
     for path in written:
         print(f"wrote {path}: {len(circuit.points)} resistances between {len(circuit.arc)} points")
     return 0

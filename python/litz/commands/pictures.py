@@ -5,6 +5,7 @@ import re
 from importlib import import_module
 from pathlib import Path
 
+from ..errors import InputError
 from ..pictures.kinds import KINDS
 from ..pictures.loading import load_matplotlib
 from ..pictures.scene import VIEWS
@@ -82,7 +83,7 @@ def plot_command(arguments: list[str]) -> int:
             look["place"] = options.place
             picture = plots.plot(results, kind, options.output, increment=increment, **look)
     except (ValueError, LookupError) as error:
-        parser.error(error.args[0])
+        raise InputError(error.args[0]) from None
     print(f"picture: {picture}")
     return 0
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from ..errors import FileError
+from ..errors import FileError, InputError
 from ..hosts import abaqus_input, ccx_input, feap_input, missing_in_ccx, read_host_model
 from ..results import Results
 from ..results.exports import export
@@ -62,7 +62,7 @@ def _export_model(arguments: list[str]) -> int:
     try:
         model = read_host_model(deck, options.reach)
     except ValueError as error:
-        parser.error(str(error))
+        raise InputError(str(error)) from None
     path = options.output or deck.with_name(name.format(deck.stem))
     if path.exists():
         raise FileError(f"{path} exists already and is not overwritten; choose another name with -o")

@@ -12,6 +12,8 @@ _PIECES = 20
 _PIECES_OF_CORNERS, _MOST_ROUNDED = 8, 0.5
 #: Times and factors on a data line
 _ON_A_LINE = 8
+#: Increments that a step may have without `INC`
+_INCREMENTS = 100
 
 
 def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
@@ -20,6 +22,24 @@ def smooth_steps_as_tables(cards: list[Card]) -> Iterator[str]:
     Source: Abaqus, amplitude curves: from (t0, a0) to (t1, a1) it is a0 + (a1 - a0) s^3 (10 - 15 s + 6 s^2) of
     s = (t - t0)/(t1 - t0).
     """
+    before = {id(card): len(points_of(card)) for card in cards if card.is_a("AMPLITUDE") and "DEFINITION" not in card}
+    yield from _as_tables(cards)
+    added = [
+        len(points_of(card)) - before.get(id(card), 0)
+        for card in cards
+        if card.is_a("AMPLITUDE") and "DEFINITION" not in card
+    ]
+    _leave_room(cards, max(added, default=0))
+
+
+def _leave_room(cards: list[Card], points: int) -> None:
+    """Let steps have as many increments more as end at points of a table."""
+    for card in cards if points > 0 else ():
+        if card.is_a("STEP"):
+            card["INC"] = int(card.get("INC", _INCREMENTS)) + points
+
+
+def _as_tables(cards: list[Card]) -> Iterator[str]:
     for card in cards:
         definition = str(card.get("DEFINITION", "")).upper() if card.is_a("AMPLITUDE") else ""
         if definition == "TABULAR":

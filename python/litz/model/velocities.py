@@ -3,23 +3,51 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import count, pairwise
+from typing import NamedTuple
 
 from ..deck import Card
 from ..deck.keyword_table import squeezed
 from ..deck.lines import Value
 from .loading import PROCEDURES, SUPPORTS
+from .mesh_of_cards import MeshOfCards
 from .smooth_steps import points_of, write_table
 
 #: Pieces of a parabola, the integral of a line: with these it is off by 1/3200 of what the change of the velocity moves
 _PIECES = 20
 _ROTATIONS = range(4, 7)
 
-#: Where something is prescribed: node or set, and degree of freedom
-_Place = tuple[str, int]
-#: Node or set, degrees of freedom, and value
-_Row = tuple[str, list[int], float]
+#: Where something is prescribed: node and degree of freedom
+_Place = tuple[int, int]
 #: Total times and factors
 _Table = list[tuple[float, float]]
+
+
+class _Row(NamedTuple):
+    """A line of `*BOUNDARY`."""
+
+    #: Node or set, as the line has it
+    target: Value
+    #: Its nodes
+    nodes: list[int]
+    #: Degrees of freedom
+    dofs: list[int]
+    #: Velocity or displacement
+    value: float
+
+
+class _Moving(NamedTuple):
+    """Nodes of a line that move alike along a degree of freedom, from where they are when the step begins."""
+
+    #: Node or set that the new line has
+    target: Value
+    #: Its nodes
+    nodes: list[int]
+    #: Degree of freedom
+    dof: int
+    #: Velocity
+    value: float
+    #: Displacement when the step begins
+    start: float
 
 
 class _Refused(Exception):
@@ -30,11 +58,14 @@ class _Refused(Exception):
 class _Motion:
     """What has been prescribed so far."""
 
+    mesh: MeshOfCards
     begin: float = 0.0
     end: float = 0.0
     is_first: bool = True
     #: Displacement at each place as a function of the total time
     known: dict[_Place, Callable[[float], float]] = field(default_factory=dict)
+    #: Axes about which each node has been turned
+    turned: dict[int, set[int]] = field(default_factory=dict)
 
     def at(self, place: _Place) -> float:
         """Displacement where the step begins."""
@@ -42,7 +73,12 @@ class _Motion:
             return self.known[place](self.begin)
         if self.is_first:
             return 0.0
-        raise _Refused(f"how far {place[0]} has moved along {place[1]} when the step begins is not known")
+        raise _Refused(f"how far node {place[0]} has moved along {place[1]} when the step begins is not known")
+
+    def turn(self, row: _Row) -> None:
+        """Remember the axes about which a line turns its nodes."""
+        for node in row.nodes if row.value else ():
+            self.turned.setdefault(node, set()).update(set(row.dofs) & set(_ROTATIONS))
 
 
 def velocities_as_displacements(cards: list[Card]) -> Iterator[tuple[str, bool]]:
@@ -54,7 +90,12 @@ def velocities_as_displacements(cards: list[Card]) -> Iterator[tuple[str, bool]]
     if not any(_is_velocity(card) for card in cards):
         return
     tables = {squeezed(str(card.get("NAME", ""))): card for card in cards if card.is_a("AMPLITUDE")}
-    motion, whole, durations, new = _Motion(), sum(_durations(cards)), _durations(cards), _names(tables)
+    motion, whole, durations, new = (
+        _Motion(MeshOfCards(cards)),
+        sum(_durations(cards)),
+        _durations(cards),
+        _names(tables),
+    )
     amplitudes: list[Card] = []
     in_step = False
     for card in list(cards):
@@ -106,30 +147,31 @@ def _durations(cards: list[Card]) -> Iterator[float]:
         yield 0.0 if procedure is None else float(values[1] or 1.0)
 
 
-def _rows(card: Card) -> Iterator[_Row]:
-    """Node or set, degrees of freedom and value of each line."""
+def _rows(card: Card, mesh: MeshOfCards) -> Iterator[_Row]:
+    """Nodes, degrees of freedom and value of each line."""
     for row in card.data:
+        target = row[0]
         first, last, value = [*row[1:4], None, None, None][:3]
         if isinstance(first, str):
-            yield squeezed(str(row[0])), list(SUPPORTS.get(first.upper(), ())), 0.0
+            yield _Row(target, mesh.nodes(target), list(SUPPORTS.get(first.upper(), ())), 0.0)
         else:
             dofs = range(int(first or 0), int(last or first or 0) + 1)
-            yield squeezed(str(row[0])), list(dofs), float(value or 0.0)
+            yield _Row(target, mesh.nodes(target), list(dofs), float(value or 0.0))
 
 
 def _follow(card: Card, motion: _Motion, tables: dict[str, Card]) -> None:
     """Remember displacements that are prescribed."""
     if str(card.get("OP", "")).upper() == "NEW":
         motion.known = {}
-    for target, dofs, value in _rows(card):
-        for dof in dofs:
-            place = (target, dof)
+    for row in _rows(card, motion.mesh):
+        motion.turn(row)
+        for place in ((node, dof) for node in row.nodes for dof in row.dofs):
             if "FIXED" in card:
                 if place in motion.known or motion.is_first:
                     motion.known[place] = _constant(motion.at(place))
                 continue
             try:
-                motion.known[place] = _displacement(card, value, motion, tables)
+                motion.known[place] = _displacement(card, row.value, motion, tables)
             except _Refused:
                 motion.known.pop(place, None)
 
@@ -174,21 +216,21 @@ def _as_displacements(
     """Amplitudes, and the cards that follow them."""
     if motion.end <= motion.begin:
         raise _Refused("the step has no time")
-    rows = list(_rows(card))
-    _check_rotations(rows)
+    rows = list(_rows(card, motion.mesh))
+    _check_rotations(rows, motion)
     path = _integrated(card, motion, tables, whole)
-    moving = [(own[0], target, dof, value) for own, (target, dofs, value) in _each(card, rows) for dof in dofs if value]
-    starts = [motion.at((target, dof)) for _, target, dof, _ in moving]
-    held: list[list[Value]] = [[own[0], dofs[0], dofs[-1]] for own, (_, dofs, value) in _each(card, rows) if not value]
+    moving = [one for row in rows if row.value for dof in row.dofs for one in _moving(row, dof, motion)]
+    held: list[list[Value]] = [[row.target, row.dofs[0], row.dofs[-1]] for row in rows if not row.value]
     amplitudes, written = [], []
-    if any(not start for start in starts):
+    if any(not one.start for one in moving):
         amplitudes.append(_amplitude(next(new), path))
-        data = [[own, dof, dof, value] for (own, _, dof, value), start in zip(moving, starts, strict=True) if not start]
+        data = [[one.target, one.dof, one.dof, one.value] for one in moving if not one.start]
         written.append(Card.make("BOUNDARY", {"AMPLITUDE": amplitudes[0]["NAME"]}, data))
-    for (own, _, dof, value), start in zip(moving, starts, strict=True):
-        if start:
-            amplitudes.append(_amplitude(next(new), [(time, start + value * part) for time, part in path]))
-            written.append(Card.make("BOUNDARY", {"AMPLITUDE": amplitudes[-1]["NAME"]}, [[own, dof, dof, 1.0]]))
+    for one in moving:
+        if one.start:
+            amplitudes.append(_amplitude(next(new), [(time, one.start + one.value * part) for time, part in path]))
+            parameters = {"AMPLITUDE": amplitudes[-1]["NAME"]}
+            written.append(Card.make("BOUNDARY", parameters, [[one.target, one.dof, one.dof, 1.0]]))
     if held:
         # what is not to move stays where it is
         written.append(Card.make("BOUNDARY", {} if motion.is_first else {"FIXED": True}, held))
@@ -197,28 +239,39 @@ def _as_displacements(
         written[0]["OP"] = card["OP"]
         if str(card["OP"]).upper() == "NEW":
             motion.known = {}
-    for (_, target, dof, value), start in zip(moving, starts, strict=True):
-        motion.known[target, dof] = _moved(start, value, path)
+    for row in rows:
+        motion.turn(row)
+    for one in moving:
+        motion.known |= {(node, one.dof): _moved(one.start, one.value, path) for node in one.nodes}
     return amplitudes, written
 
 
-def _each(card: Card, rows: list[_Row]) -> Iterator[tuple[list[Value], _Row]]:
-    return zip(card.data, rows, strict=True)
+def _moving(row: _Row, dof: int, motion: _Motion) -> Iterator[_Moving]:
+    """What a line moves along a degree of freedom: all its nodes, or node by node where these begin at several places."""
+    starts = [motion.at((node, dof)) for node in row.nodes]
+    if len(set(starts)) == 1:
+        yield _Moving(row.target, row.nodes, dof, row.value, starts[0])
+        return
+    for node, start in zip(row.nodes, starts, strict=True):
+        yield _Moving(node, [node], dof, row.value, start)
 
 
 def _moved(start: float, value: float, path: _Table) -> Callable[[float], float]:
     return lambda time: start + value * _factor(path, time)
 
 
-def _check_rotations(rows: list[_Row]) -> None:
-    turning: dict[str, set[int]] = {}
-    for target, dofs, value in rows:
-        if not dofs or not set(dofs) <= set(range(1, 7)):
+def _check_rotations(rows: list[_Row], motion: _Motion) -> None:
+    turning: dict[int, set[int]] = {}
+    for row in rows:
+        if not row.nodes:
+            raise _Refused(f"there is no node or node set {row.target}")
+        if not row.dofs or not set(row.dofs) <= set(range(1, 7)):
             raise _Refused("velocities are of the degrees of freedom 1 to 6")
-        turning.setdefault(target, set()).update(dof for dof in dofs if value and dof in _ROTATIONS)
-    for target, axes in turning.items():
-        if len(axes) > 1:
-            raise _Refused(f"{target} turns about several axes, whose angles do not add up")
+        for node in row.nodes if row.value else ():
+            turning.setdefault(node, set()).update(set(row.dofs) & set(_ROTATIONS))
+    for node, axes in turning.items():
+        if axes and len(axes | motion.turned.get(node, set())) > 1:
+            raise _Refused(f"node {node} turns about several axes, whose angles do not add up")
 
 
 def _integrated(card: Card, motion: _Motion, tables: dict[str, Card], whole: float) -> _Table:

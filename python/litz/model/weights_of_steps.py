@@ -61,6 +61,13 @@ def keep_weights_of_earlier_steps(cards: list[Card], dialect: str | None, path: 
                 " its place, in CalculiX it is added to it: which of them is meant must be told by --dialect abaqus or"
                 " --dialect ccx (in Python dialect='abaqus' or dialect='ccx')"
             )
+        amplitudes = {weight.amplitude.upper() for weight in (*kept, *new)}
+        if len(amplitudes) > 1:
+            names = " and ".join(name or "none" for name in sorted(amplitudes))
+            raise ValueError(
+                f"{path}: GRAV of step {number}: CalculiX adds it to that of earlier steps, with another *AMPLITUDE"
+                f" ({names}): weights that act together have one in litz"
+            )
         again.append((last, kept))
         yield (
             f"GRAV of step {number}: CalculiX adds it to that of earlier steps, as it has another direction or set; theirs is"

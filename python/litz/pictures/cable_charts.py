@@ -13,7 +13,7 @@ from ..results.along_cable import CableAxis, cable_axis
 from ..results.contact_increments import NOT_WRITTEN_NOTE
 from ..results.contact_places import rows_of
 from ..results.scalars import colours_and_limits, find_scalar, scalar_values
-from .chart_tools import equal_curves, legend_beside, name_of_group, wire_names
+from .chart_tools import equal_curves, from_zero, legend_beside, name_of_group, wire_names
 from .charts import MAX_LINES, colour_of, nothing_to_draw
 from .colours import scalar_colours, without_value
 
@@ -78,7 +78,7 @@ def force_along(axes: Axes, results: Results, increment: int) -> None:
     edges = length_factor * np.append(table["place"] - half, table["place"][-1] + half)
     axes.stairs(factor * table["force_per_length"], edges, fill=True, color=colour_of(0, 3), alpha=0.35)
     axes.stairs(factor * table["force_per_length"], edges, color=colour_of(0, 3))
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
     axes.set_xlabel(label("place along the cable", length_unit))
     axes.set_ylabel(label("force per length", unit))
 

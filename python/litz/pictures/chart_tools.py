@@ -14,6 +14,8 @@ from .hidden_curves import show_hidden_curves
 # Curves that differ by less, relative to the largest value of all, are the same curve: what an iteration leaves
 _SAME_CURVE = 1e-6
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+# Axes that begin at zero reach at least to this multiple of what is drawn
+_ROOM = 1.05
 # Of curves that are one, so many are named
 _MAX_NAMES = 3
 
@@ -24,6 +26,14 @@ def legend_beside(axes: Axes, **options: object) -> Legend:
         # room for three dashes
         options.setdefault("handlelength", 3.5)
     return axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **options)
+
+
+def from_zero(axes: Axes) -> None:
+    """Begin the axis of values at zero, with room above what is drawn: values that are all alike are at the top otherwise."""
+    axes.set_ylim(bottom=0)
+    top = axes.dataLim.y1
+    if np.isfinite(top) and top > 0:
+        axes.set_ylim(top=max(axes.get_ylim()[1], _ROOM * top))
 
 
 def power_of_ten(value: float) -> str:

@@ -17,6 +17,7 @@ from ..results.surface_forces import joule_heat_on_surfaces
 from .chart_tools import (
     equal_curves,
     equal_over_places,
+    from_zero,
     has_force,
     legend_beside,
     name_of_group,
@@ -222,7 +223,7 @@ def contact_number(axes: Axes, results: Results, table: Table) -> None:
         times, counts, drawstyle="steps-post" if len(times) > 1 else "default", **marker(len(times)), color=_ONE_COLOUR
     )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
     axes.set_xlabel(time_label(results))
 
 
@@ -284,7 +285,7 @@ def forces_over_time(axes: Axes, results: Results, increment: int) -> None:
         )
         axes.plot(times, spread[:, 2], **marker(len(times)), color=_ONE_COLOUR, label="median")
         legend_beside(axes)
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
 
 
 def spot_sizes(axes: Axes, results: Results, increment: int) -> None:
@@ -306,7 +307,7 @@ def spot_sizes(axes: Axes, results: Results, increment: int) -> None:
     )
     axes.plot(force, factor * now["semi_minor"], "o", markersize=4, color=colour_of(1, 3), label="shorter")
     axes.margins(0.08)
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
     axes.set_xlabel(label("force", force_unit))
     axes.set_ylabel(label("semi-axis", unit))
     legend_beside(axes)

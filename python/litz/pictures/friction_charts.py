@@ -11,7 +11,7 @@ from ..results import Results
 from ..results.contact_history import FORCE_ROUND_OFF
 from ..results.contact_increments import as_far_as_written
 from ..wires.curves import arc_lengths, element_curves, hermite_slope
-from .chart_tools import legend_beside
+from .chart_tools import from_zero, legend_beside
 from .charts import colour_of, nothing_to_draw, time_label
 
 _MAX_LOOPS = 6
@@ -98,7 +98,7 @@ def heat_over_time(axes: Axes, results: Results) -> None:
     factor, unit = engineering(np.array(total), results.unit_labels["J"])
     axes.plot(results.times[has], factor * np.array(total), color="#2a6f97", marker="o" if len(total) <= 40 else None,
               markersize=4)  # fmt: skip
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("heat", unit))
 

@@ -22,6 +22,8 @@ _ROUNDS = 200
 # Rounds of many dots: as many as this number of pairs, but not fewer
 _WORK, _LEAST_ROUNDS = 4e8, 20
 _ROWS_AT_ONCE = 500
+# Dots keep this distance, in half of the extent, from the lines of others, in networks of so many dots times lines
+_FROM_LINES, _MOST_CLEARED, _CLEARINGS = 0.07, 20_000, 60
 # Pull towards the middle, relative to the push of all dots at unit distance from there
 _INWARDS = 0.5
 # Where a name begins below a dot, relative to its diameter
@@ -126,6 +128,34 @@ def _spread(n: int, pairs: np.ndarray) -> np.ndarray:
         length = np.maximum(np.linalg.norm(push, axis=1, keepdims=True), 1e-12)
         places += push / length * np.minimum(length, step)
     places -= places.mean(axis=0)
+    return _off_lines(places / np.abs(places).max(), pairs)
+
+
+def _off_lines(places: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+    """The places of few dots (n, 2), moved off the lines of others (m, 2), on which they would seem to be joined to them."""
+    if len(places) * len(pairs) > _MOST_CLEARED:
+        return places
+    dots = np.arange(len(places))[:, None]
+    others = (dots != pairs[:, 0]) & (dots != pairs[:, 1])
+    for _ in range(_CLEARINGS):
+        start, along = places[pairs[:, 0]], places[pairs[:, 1]] - places[pairs[:, 0]]
+        square = np.maximum((along**2).sum(axis=1), np.finfo(float).tiny)
+        part = np.clip(((places[:, None] - start) * along).sum(axis=2) / square, 0.0, 1.0)
+        away = places[:, None] - (start + part[..., None] * along)
+        distance = np.linalg.norm(away, axis=2)
+        near = others & (distance < _FROM_LINES)
+        if not near.any():
+            break
+        across = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.sqrt(square)[:, None]
+        direction = np.where(distance[..., None] > 1e-9, away / np.maximum(distance, 1e-9)[..., None], across)
+        step = np.where(near, _FROM_LINES - distance, 0.0)[..., None] * direction / 2
+        places = places + step.sum(axis=1)
+        # both ends of the line give way as well
+        for end in (0, 1):
+            for axis in range(2):
+                places[:, axis] -= np.bincount(
+                    pairs[:, end], weights=step[..., axis].sum(axis=0) / 2, minlength=len(places)
+                )
     return places / np.abs(places).max()
 
 

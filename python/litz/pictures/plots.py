@@ -303,7 +303,8 @@ def place_wires(figure: Figure, box: tuple, scene: Scene, camera: Camera, drawn:
     if scene.grey_text:
         notes.append(scene.grey_text)
     if len(scene.reference) and (drawn is None or drawn.shows_reference):
-        notes.append("grey: undeformed axes")
+        # wires are grey, too
+        notes.append(f"{'thin ' if scene.grey_text else ''}grey lines: undeformed axes")
     if drawn is None and scene.frames:
         notes.append(AS_CIRCLES)
     elif scene.shape_text:

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from ..base.quantities import engineering, label
 from ..results import Results
-from .chart_tools import legend_beside
+from .chart_tools import from_zero, legend_beside
 from .charts import colour_of, nothing_to_draw, time_label
 
 
@@ -34,7 +34,7 @@ def surface_forces_over_time(axes: Axes, results: Results, increment: int) -> No
         style = {"marker": "o", "markersize": 4} if rows.sum() <= 60 else {}
         axes.plot(table["time"][rows], factor * size[rows], **style, color=colour_of(i, len(names)), label=name)
     axes.set_ylabel(label("force", unit))
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
     legend_beside(axes)
 
 
@@ -54,4 +54,4 @@ def _force_by_element(axes: Axes, results: Results, increment: int) -> None:
                   color=colour_of(i, len(names)), label=name)  # fmt: skip
     axes.xaxis.set_major_locator(mpl.ticker.MaxNLocator(integer=True))
     axes.set_ylabel(label("force", unit))
-    axes.set_ylim(bottom=0)
+    from_zero(axes)

@@ -15,7 +15,7 @@ from ..results.contact_increments import NOT_WRITTEN
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import per_length, stretch_along
 from . import charts
-from .chart_tools import equal_over_places, legend_beside, name_of_group
+from .chart_tools import equal_over_places, from_zero, legend_beside, name_of_group
 from .charts import MAX_LINES, colour_of, marker, nothing_to_draw, time_label
 
 _MAX_POINTS = 20_000
@@ -137,13 +137,13 @@ def _forces_and_lengths(axes: Axes, results: Results, table: Table) -> None:
     axes.plot(times, factor * force, **marker(table.n_rows), color=colour_of(0, 3))
     axes.set_xlabel(time_label(results))
     axes.set_ylabel(label("sum of forces", unit), color=colour_of(0, 3))
-    axes.set_ylim(bottom=0)
+    from_zero(axes)
     factor, unit = engineering(table["max_force_per_length"], table.units["max_force_per_length"])
     right = axes.twinx()
     right.grid(visible=False)
     right.plot(times, factor * table["max_force_per_length"], "--", **marker(table.n_rows), color=colour_of(1, 3))
     right.set_ylabel(label("largest force per length", unit), color=colour_of(1, 3))
-    right.set_ylim(bottom=0)
+    from_zero(right)
 
 
 def contacts(figure: Figure, results: Results, increment: int) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from ..base.quantities import engineering, in_brackets, per, with_unit
 from ..base.table import Table
 from ..results import Results
-from ..results.contact_history import crossings_by_themselves
+from ..results.contact_history import crossings_by_themselves, with_clean_currents
 from ..results.contact_pressures import pressures_in_words
 from ..results.surface_forces import joule_heat_on_surfaces
 from ..wires.curves import arc_lengths
@@ -263,7 +263,8 @@ def worst_contacts(results: Results) -> str:
         return left_out or "<p>No wires have touched each other.</p>"
     pressures = html.escape(pressures_in_words(results))
     note = left_out + (f'<p class="note">{pressures[0].upper()}{pressures[1:]}.</p>' if pressures else "")
-    ledger = ledger.where(crossings_by_themselves(results))
+    largest = np.abs(ledger["current"]).max()
+    ledger = with_clean_currents(ledger.where(crossings_by_themselves(results)), largest)
     if not ledger.n_rows:
         return f"<p>All contact between wires is along lines.</p>{note}"
     measures = [("largest penetration", -ledger["gap"]), ("largest force", ledger["force"])]

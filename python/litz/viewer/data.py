@@ -13,6 +13,7 @@ from ..pictures.contact_marks import all_spots, spot_places
 from ..pictures.prisms import first_axes, reach_of_sections, triangles_of
 from ..pictures.scene import aim, shape_text
 from ..results import Results
+from ..results.contact_history import with_clean_currents
 from ..results.contact_increments import NOT_WRITTEN_NOTE
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import contact_zones
@@ -203,7 +204,7 @@ class WebData:
                 "radii": Numbers(now.radii),
                 "tangents": Numbers(now.tangents, step=_TURN),
             },
-            "contacts": _with_surfaces(contacts, on_surfaces, digits),
+            "contacts": _with_surfaces(with_clean_currents(contacts, self._largest_current), on_surfaces, digits),
             "surfaces": [self._places(patch.moved(results, index) - self._centre) for patch in self._patches],
             "zones": {name: _column(_counted_from_one(name, values), digits) for name, values in zones.items()},
             "lines": self._lines(places, curves),
@@ -240,6 +241,11 @@ class WebData:
     def _zone_units(self) -> dict[str, str]:
         nothing = self._results.contacts.where(np.zeros(0, dtype=int))
         return contact_zones(contact_places(self._results, nothing), self._results.unit_labels).units
+
+    @cached_property
+    def _largest_current(self) -> float:
+        """Through a contact between wires, in the whole run."""
+        return float(np.abs(self._results.contacts["current"]).max(initial=0.0))
 
     def _largest(self) -> dict[str, float]:
         """Largest force and current of crossings and, without currents, of contacts with rigid surfaces in the whole run."""
