@@ -244,7 +244,9 @@ def test_a_long_lens_ploughs_as_a_short_one(run, overlap):
     )
     rubbed = 0.1 * contacts(results)[-1]["force"]
     assert results.history["RF1 sum UPPER"][-1] - rubbed == pytest.approx(ploughing_force(overlap, 60), rel=0.02)
-    assert results.history["ETOTAL"][-1] == pytest.approx(results.history["ETOTAL"][3], abs=1e-6 * results.history["ALLPD"][-1])
+    assert results.history["ETOTAL"][-1] == pytest.approx(
+        results.history["ETOTAL"][3], abs=1e-6 * results.history["ALLPD"][-1]
+    )
 
 
 @pytest.mark.parametrize("overlap", [SHORT, LONG])
