@@ -56,7 +56,7 @@ contains
             dent = point%history%dent
             call follow_dent(law, wires, pair, point, dent)
             dent%dissipation = dent%dissipation + point%ploughed + point%settled
-            if (point%line_place == 0 .and. .not. is_lens(law, point)) call follow_slide(law, wires, pair, dent, point)
+            if (point%line_place == 0) call follow_slide(law, wires, pair, dent, point)
             point%history%dent = dent
             call show_dent(law, pair, point%history%dent, point)
          end associate
@@ -72,11 +72,15 @@ contains
       type(dent_memory_t), intent(inout) :: dent
       !> With the dent of the increment
       type(contact_point_t), intent(inout) :: point
+      type(dent_t) :: made
+      real(dp) :: unused(2)
 
-      dent%dissipation = dent%dissipation - work_of_slide(law, pair, point, dent)
+      ! what leaving its dent changes of the energy of a lens is settled with its shares
+      if (.not. is_lens(law, point)) dent%dissipation = dent%dissipation - work_of_slide(law, pair, point, dent)
       point%climbed = climb(law, wires, pair, point)
+      call dent_here(law, pair, point, earlier_dent_t(dent%force, dent%overlap), made, unused)
       point%ploughing = ploughing_coefficient(law, pair, point, dent, max(0.0_dp, slide_over_dent(law, wires, pair, &
-         point, dent, [point%arc_bar, point%arc])))
+         point, dent, [point%arc_bar, point%arc])), sqrt(made%area/pi))
    end subroutine follow_slide
 
    !> Work by which an increment that has converged slides wires out of their dents, but for what ploughing dissipates.
@@ -289,7 +293,9 @@ contains
          lens = lens_of_wires(law, pair, there)
          point%deepest = lens%deepest
          point%dent = depth_of_lens(lens)
-         point%largest_semi_major = sqrt(2*sum(pair%radius)*lens%deepest)/point%law_sine
+         half_axes(1) = sqrt(lens%dent%area/(pi*lens%ellipse%ratio))
+         point%largest_semi_major = lens%strip_share*sqrt(2*sum(pair%radius)*lens%deepest)/point%law_sine &
+            + (1 - lens%strip_share)*half_axes(1)
       else
          call dent_here(law, pair, point, dent%at_any_angle(), made, half_axes)
          point%deepest = made%overlap

@@ -9,12 +9,18 @@ module litz_ploughing
    use litz_contact_points, only: contact_point_t
    use litz_law_input, only: earlier_dent_t, wire_pair_t
    use litz_model, only: interaction_t
+   use litz_normal_forces, only: is_lens, line_of_point
    use litz_normal_law, only: normal_law_t
    use litz_normal_yielding, only: dent_of_wires, state_of_wires
+   use litz_yielding_lens, only: lens_state_t, state_of_lens, yielding_lens_t
    use litz_yielding_spot, only: dent_t, yielding_state_t
+   use litz_yielding_wires, only: lens_of_wires
    implicit none
    private
    public :: coefficient_of_friction, split_dissipation, ploughing_coefficient, work_of_slide
+
+   !> Relative change of the force that a lens feels of its dent, for a difference
+   real(dp), parameter :: small_change = 1.0e-4_dp
 
 contains
 
@@ -40,27 +46,69 @@ contains
       end associate
    end subroutine split_dissipation
 
-   !> P over the normal force in the state that an increment has come to [-], of a round spot of the same area.
-   pure real(dp) function ploughing_coefficient(law, pair, point, dent, slide) result(ratio)
+   !> P over the normal force in the state that an increment has come to [-].
+   pure real(dp) function ploughing_coefficient(law, pair, point, dent, slide, radius) result(ratio)
       type(normal_law_t), intent(in) :: law
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
       !> After the increment
       type(dent_memory_t), intent(in) :: dent
-      !> How far the contact has left the dent: t of (15.17)
-      real(dp), intent(in) :: slide
-      type(dent_t) :: made
-      type(yielding_state_t) :: state
-      real(dp) :: unused, rate
+      !> How far the contact has left the dent: t of (15.17), and radius of a round dent of the same area [m]
+      real(dp), intent(in) :: slide, radius
+      real(dp) :: rate
 
       ratio = 0
-      if (.not. (point%closed .and. dent%felt > 0 .and. slide < 1)) return
+      if (.not. (point%closed .and. dent%felt > 0 .and. slide < 1 .and. radius > 0)) return
+      rate = 2/pi*sqrt((1 - slide)*(1 + slide))/radius                                     ! -d(eta)/du, t = u/(2 a)
+      if (is_lens(law, point)) then
+         ratio = rate*resistance_of_lens(law, pair, point, dent)
+      else
+         ratio = rate*resistance_of_spot(law, pair, point, dent)
+      end if
+   end function ploughing_coefficient
+
+   !> What the energy at the same overlap rises by with the part of the dent that is no longer felt, over the force [m].
+   pure real(dp) function resistance_of_spot(law, pair, point, dent) result(resistance)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> After the increment
+      type(dent_memory_t), intent(in) :: dent
+      type(dent_t) :: made
+      type(yielding_state_t) :: state
+      real(dp) :: unused
+
+      resistance = 0
       call state_of_wires(law, pair, point%ellipse, dent%at_any_angle(), point%gap, .false., state, unused)
       if (.not. (state%force > 0 .and. state%denergy_dlargest < 0)) return
       made = dent_of_wires(law, pair, point%ellipse, earlier_dent_t(dent%force, dent%overlap))
-      rate = 2/pi*sqrt((1 - slide)*(1 + slide))/sqrt(made%area/pi)                         ! -d(eta)/du, t = u/(2 a)
-      ratio = -state%denergy_dlargest*made%force*rate/state%force
-   end function ploughing_coefficient
+      resistance = -state%denergy_dlargest*made%force/state%force
+   end function resistance_of_spot
+
+   !> The same of a crossing whose section counts, by a difference.
+   pure real(dp) function resistance_of_lens(law, pair, point, dent) result(resistance)
+      type(normal_law_t), intent(in) :: law
+      type(wire_pair_t), intent(in) :: pair
+      type(contact_point_t), intent(in) :: point
+      !> After the increment
+      type(dent_memory_t), intent(in) :: dent
+      type(contact_point_t) :: there
+      type(yielding_lens_t) :: lens
+      type(lens_state_t) :: state, beyond
+
+      resistance = 0
+      there = point
+      there%history%dent = dent
+      there%line = line_of_point(pair, there)
+      lens = lens_of_wires(law, pair, there)
+      state = state_of_lens(lens, -point%gap)
+      if (.not. (state%law%force > 0 .and. state%has_yielded)) return
+      there%history%dent%left = (1 - small_change)*dent%left
+      lens = lens_of_wires(law, pair, there)
+      beyond = state_of_lens(lens, -point%gap)
+      resistance = max((beyond%law%energy + beyond%dissipated - state%law%energy - state%dissipated) &
+         /(small_change*dent%left*state%law%force), 0.0_dp)
+   end function resistance_of_lens
 
    !> Work that takes the contact from what it felt of its dent in the increment to what it will feel in the next one,
    !> at the same overlap [J]: that of the force along the wires, but for what this dissipates.

@@ -15,7 +15,7 @@ module litz_yielded_cells
    use litz_spot_law, only: contact_spot_t
    use litz_spot_resistance, only: metal_of_law, set_conductance
    use litz_spots_of_places, only: number_of
-   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, state_of_lens, hertz_force
+   use litz_yielding_lens, only: yielding_lens_t, lens_state_t, deepest_strip, hertz_force, state_of_lens
    use litz_yielding_line, only: line_dent_t, line_dent, line_state_t, line_state_at_overlap, yielded_strip
    use litz_yielding_place, only: yielding_place_t
    use litz_yielding_spot, only: yielding_state_t
@@ -222,10 +222,9 @@ contains
          associate (length => lens%strip_share*state%elastic%half_length*gauss_weight(i))
             spot%conductance = spot%conductance + length*at%conductance
             spot%dconductance_dresistivity = spot%dconductance_dresistivity + length*at%dconductance_dresistivity
-            spot%semi_minor = max(spot%semi_minor, state%along(i)%half_width)
          end associate
       end do
-      spot%semi_major = state%elastic%half_length
+      call set_axes(lens, overlap, state, spot)
       if (.not. (lens%strip_share < 1 .and. state%spot%force > 0)) return
       round = round_spot(law, pair, lens, overlap, state)
       associate (share => 1 - lens%strip_share)
@@ -233,6 +232,29 @@ contains
          spot%dconductance_dresistivity = spot%dconductance_dresistivity + share*round%dconductance_dresistivity
       end associate
    end function whole_spot
+
+   !> Half axes: those of the spot of crossed wires and of the ellipse that is as wide as the strip along the lens is at
+   !> its deepest place, and has its area, as far as each counts.
+   pure subroutine set_axes(lens, overlap, state, spot)
+      type(yielding_lens_t), intent(in) :: lens
+      !> Of the deepest place [m]
+      real(dp), intent(in) :: overlap
+      !> There
+      type(lens_state_t), intent(in) :: state
+      type(contact_spot_t), intent(inout) :: spot
+      type(line_state_t) :: deepest
+      real(dp) :: area, of_spot
+
+      deepest = deepest_strip(lens, overlap)
+      if (deepest%half_width > 0) then
+         area = 2*state%elastic%half_length*dot_product(gauss_weight, state%along%half_width)
+         spot%semi_minor = lens%strip_share*deepest%half_width
+         spot%semi_major = lens%strip_share*area/(pi*deepest%half_width)
+      end if
+      of_spot = (1 - lens%strip_share)*sqrt(state%spot%area/(pi*lens%ellipse%ratio))
+      spot%semi_major = spot%semi_major + of_spot
+      spot%semi_minor = spot%semi_minor + lens%ellipse%ratio*of_spot
+   end subroutine set_axes
 
    !> The spot of crossed wires in a lens whose section counts. The lens of elastic wires conducts more or less than the
    !> ellipse at the same overlap: clean metal as it gives way, under a film as the ellipse of its force. The spot does

@@ -90,7 +90,7 @@ contains
 
    ! values: overlap, force, stiffness, its derivative by the force; dF by the angle and by the largest force;
    ! semi-axes, a_e; dent; energy, dissipation; derivatives of the area by overlap, angle, largest force, then of a_e;
-   ! that of the energy by the largest force
+   ! that of the energy by the largest force; radius of a circle as large as the spot of the largest force
    subroutine normal_law_of_points(n, n_sets, given, is_force, largest_force, radius, young, poisson, angle, &
       yield_stress, hardness, values, onset, info)
       !f2py threadsafe
@@ -110,8 +110,8 @@ contains
       real(c_double), intent(in) :: yield_stress(2, n_sets)
       !> H (n_sets) [Pa]; 0: 2.8 times the smaller yield stress
       real(c_double), intent(in) :: hardness(n_sets)
-      !> (19, n) in the units of the types of litz_yielding_spot
-      real(c_double), intent(out) :: values(19, n)
+      !> (20, n) in the units of the types of litz_yielding_spot
+      real(c_double), intent(out) :: values(20, n)
       !> p_Y [Pa], F_Y [N], delta_Y [m], h, F_p [N] (5, n_sets)
       real(c_double), intent(out) :: onset(5, n_sets)
       !> 0: all is well; else one of the constants of litz_hertz or litz_yielding_spot (n_sets)
@@ -133,7 +133,7 @@ contains
             state = state_at_overlap(law, dent, given(i))
          end if
          if (state%loads) dent = dent_of_force(law, state%force)
-         values(:, i) = numbers_of(state, ellipse%ratio, dent%depth)
+         values(:, i) = numbers_of(state, ellipse%ratio, dent)
       end do
    end subroutine normal_law_of_points
 
@@ -223,16 +223,18 @@ contains
       end do
    end subroutine largest_onset
 
-   pure function numbers_of(state, ratio, depth) result(values)
+   pure function numbers_of(state, ratio, dent) result(values)
       type(yielding_state_t), intent(in) :: state
-      !> b/a, and the overlap at which the wires part [m]
-      real(c_double), intent(in) :: ratio, depth
-      !> (19)
-      real(c_double) :: values(19), a
+      !> b/a
+      real(c_double), intent(in) :: ratio
+      !> That it leaves
+      type(dent_t), intent(in) :: dent
+      !> (20)
+      real(c_double) :: values(20), a
       a = sqrt(state%area/(pi*ratio))
       values = [state%overlap, state%force, state%stiffness, state%dstiffness_dforce, state%dforce, a, ratio*a, &
-         state%disc, depth, state%energy, state%dissipation, state%darea, state%ddisc, &
-         state%denergy_dlargest]
+         state%disc, dent%depth, state%energy, state%dissipation, state%darea, state%ddisc, &
+         state%denergy_dlargest, sqrt(dent%area/pi)]
    end function numbers_of
 
 end module f2py_yielding

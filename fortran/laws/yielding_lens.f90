@@ -17,7 +17,7 @@ module litz_yielding_lens
    implicit none
    private
    public :: yielding_lens_t, lens_state_t, with_dent, state_of_lens, overlap_of_yielding_lens, &
-      pressure_of_lens, lens_at_force, hertz_force
+      deepest_strip, pressure_of_lens, lens_at_force, hertz_force
 
    !> The overlap at a force is known to this part of it
    real(dp), parameter :: tolerance = 1.0e-11_dp
@@ -84,20 +84,33 @@ contains
       lens%dent = dent_of_force(lens%spot, spot%force)
    end function with_dent
 
+   !> Dent of the strip at the deepest place.
+   pure type(line_dent_t) function deepest_dent(lens) result(dent)
+      type(yielding_lens_t), intent(in) :: lens
+      type(line_state_t) :: made
+
+      if (.not. lens%deepest > 0) return
+      made = line_state_at_overlap(lens%strip, line_dent_t(), lens%deepest)
+      dent = line_dent(lens%strip, made%force)
+   end function deepest_dent
+
+   !> The strip at the deepest place.
+   pure type(line_state_t) function deepest_strip(lens, overlap) result(strip)
+      type(yielding_lens_t), intent(in) :: lens
+      !> [m]
+      real(dp), intent(in) :: overlap
+
+      strip = line_state_at_overlap(lens%strip, deepest_dent(lens), overlap)
+   end function deepest_strip
+
    !> Pressure in the middle of strip and spot at the deepest place [Pa].
    pure real(dp) function pressure_of_lens(lens, overlap) result(pressure)
       type(yielding_lens_t), intent(in) :: lens
       !> [m]
       real(dp), intent(in) :: overlap
-      type(line_state_t) :: made
-      type(line_dent_t) :: dent
       type(yielding_state_t) :: spot
 
-      if (lens%deepest > 0) then
-         made = line_state_at_overlap(lens%strip, line_dent_t(), lens%deepest)
-         dent = line_dent(lens%strip, made%force)
-      end if
-      pressure = lens%strip_share*pressure_of_place(yielding_place_t(.true., lens%strip, dent), overlap)
+      pressure = lens%strip_share*pressure_of_place(yielding_place_t(.true., lens%strip, deepest_dent(lens)), overlap)
       if (.not. lens%strip_share < 1) return
       spot = state_at_overlap(lens%spot, lens%dent, overlap)
       pressure = pressure + (1 - lens%strip_share)*spot%pressure

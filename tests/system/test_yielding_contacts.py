@@ -175,12 +175,12 @@ def test_a_wire_that_slides_leaves_its_dent(run):
     assert off["force"] == pytest.approx(law(1.2e-6).force, rel=1e-9)
 
 
-def ploughing_force(overlap):
+def ploughing_force(overlap, degrees=90.0):
     """(2/pi) F D'(F)/a of a round spot: what a contact that slides makes anew of its dent, over the length in which it does."""
     step = 1e-5 * overlap
-    below, here, above = (law(z) for z in (overlap - step, overlap, overlap + step))
+    below, here, above = (law(z, degrees=degrees) for z in (overlap - step, overlap, overlap + step))
     growth = (above.dissipation - below.dissipation) / (above.force - below.force)
-    return 2 / np.pi * here.force * growth / here.semi_major
+    return 2 / np.pi * here.force * growth / np.sqrt(here.semi_major * here.semi_minor)
 
 
 @pytest.mark.parametrize("increments", [2, 16])
@@ -230,6 +230,50 @@ def test_what_climbing_out_of_a_dent_takes_is_in_the_balance(run):
         errors.append(np.abs(history["ETOTAL"] - history["ETOTAL"][80])[81:].max() / history["ALLPD"][-1])
     assert errors[1] < 0.025
     assert errors[0] / errors[1] > 1.7
+
+
+#: Overlaps of wires at 60 degrees whose lens is shorter, and longer, than 0.3 radii on either side, where sections begin to count
+SHORT, LONG = 1.65e-5, 2e-5
+
+
+@pytest.mark.parametrize("overlap", [SHORT, LONG, 3e-5])
+def test_a_long_lens_ploughs_as_a_short_one(run, overlap):
+    far = 3 * law(overlap, degrees=60).semi_major
+    _, results = run(
+        held(to(overlap, increments=3), to(overlap, far, increments=6), degrees=60, friction="*FRICTION\n 0.1")
+    )
+    rubbed = 0.1 * contacts(results)[-1]["force"]
+    assert results.history["RF1 sum UPPER"][-1] - rubbed == pytest.approx(ploughing_force(overlap, 60), rel=0.02)
+    assert results.history["ETOTAL"][-1] == pytest.approx(
+        results.history["ETOTAL"][3], abs=1e-6 * results.history["ALLPD"][-1]
+    )
+
+
+@pytest.mark.parametrize("overlap", [SHORT, LONG])
+def test_a_long_lens_climbs_out_of_its_dent_by_work(run, overlap):
+    """Relieved, and slid until its force is that of metal that has not yielded before: what it then holds has been done by
+    the force along the wires, of which a part is dissipated."""
+    far = 2.5 * law(overlap, degrees=60).semi_major
+    _, results = run(held(to(overlap), to(0.9 * overlap), to(0.9 * overlap, far, increments=40), degrees=60))
+    history = results.history
+    off = law(0.9 * overlap, degrees=60)
+    assert contacts(results)[-1]["force"] == pytest.approx(off.force, rel=0.01)
+    held_then, held_now = history["ALLCCE"][[20, -1]]
+    done, dissipated = history["ALLWK"][-1] - history["ALLWK"][20], history["ALLPD"][-1] - history["ALLPD"][20]
+    assert held_now > 2 * held_then
+    assert done == pytest.approx(held_now - held_then + dissipated, rel=0.02)
+    # the dent is made anew on the way
+    assert dissipated > 0.5 * off.dissipation
+
+
+@pytest.mark.parametrize("part", [1.0, 0.95, 0.9])
+def test_the_spot_of_a_long_lens_is_that_of_its_mechanics(run, part):
+    _, results = run(held(to(LONG, increments=1), to(part * LONG, increments=1), degrees=60))
+    pressed, found = contacts(results)[1:]
+    expected = law(part * LONG, law(LONG, degrees=60).force, degrees=60)
+    for name in ("semi_major", "semi_minor"):
+        assert found[name] == pytest.approx(getattr(expected, name), rel=0.005)
+    assert found["largest_semi_major"] == pytest.approx(pressed["semi_major"], rel=0.005)
 
 
 def carried(degrees, *steps):

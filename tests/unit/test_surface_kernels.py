@@ -297,6 +297,14 @@ class TestBadInput:
         with pytest.raises(ValueError, match="the two nodes of a segment coincide"):
             node_to_segment_em([[1, 0], [1, 0]], [0.5, 0.1], [0, 0], 0.0, **GOOD)
 
+    def test_an_overlap_beyond_all_numbers(self):
+        laws = dict(normal_law="exponential", p_0=1e6, decay=1e-6, spot_law="none")
+        master, deep = [[0, 0], [1e-3, 0]], [[3e-4, 1e-5], [3e-4, 1e-3]]
+        with pytest.raises(ValueError, match="pair 1: the bodies overlap so deeply"):
+            node_to_segment_em(master, deep, [0, 0], 0.0, area=1e-7, **laws)
+        with pytest.raises(ValueError, match="^the bodies overlap so deeply"):
+            segment_to_segment_em(master, [[1e-3, 1e-3], [0, 1e-3]], [0, 0], [0, 0], length=1e-3, **laws)
+
     def test_augmentation_is_of_the_penalty_only(self):
         with pytest.raises(ValueError, match='augmentation belongs to normal_law="linear"'):
             node_to_segment_em(

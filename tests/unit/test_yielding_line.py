@@ -222,6 +222,7 @@ class TestInput:
             (dict(yield_stress=STRESS, largest_force_per_length=-1.0), "largest_force_per_length must not be negative"),
             (dict(largest_force_per_length=1.0), "largest_force_per_length needs yield_stress"),
             (dict(yield_stress=5e5), "wider than the law holds for"),
+            (dict(yield_stress=STRESS, largest_force_per_length=1e6), "wider than the law holds for"),
             (dict(yield_stress=STRESS, hardness=9e7), "hardness must be greater than the pressure"),
             (dict(hardness=9e8), "hardness needs yield_stress"),
         ],

@@ -423,6 +423,9 @@ class TestBadInput:
             normal_law(3e-4, angle=1.0, **HARD, **COPPER)
         with pytest.raises(ValueError, match="more than half of the smaller radius"):
             contact_spot(1.0, angle=1.0, largest_force=1e4, resistivity=1e-8, **HARD, **COPPER)
+        for overlap in (1e-7, -1e-7):
+            with pytest.raises(ValueError, match="more than half of the smaller radius"):
+                normal_law(overlap, angle=1.0, largest_force=1e4, **HARD, **COPPER)
 
     def test_laws_without_a_spot_of_the_mechanics(self):
         for law in (dict(law="plastic", hardness=1e9), dict(law="constant", resistance=1.0), dict(law="paper")):

@@ -143,7 +143,8 @@ def node_to_segment_em(
     Raises
     ------
     ValueError
-        Invalid input, a number that a law lacks or does not take, a law per spot in place of one per area.
+        Invalid input, a number that a law lacks or does not take, a law per spot in place of one per area; an overlap so
+        deep that the exponential law has no number for it.
 
     Notes
     -----
@@ -275,4 +276,10 @@ def _call(
         shapes, kernel, *of.columns(), laws.normal, normal_data, laws.spot, spot_data, bodies
     )
     of.raise_failures(result[-1], _FAILURES, "pair")
+    tangents = result[0]
+    infinite = ~np.isfinite(tangents).all(axis=tuple(range(tangents.ndim - 1)))
+    if infinite.any():
+        raise ValueError(
+            f"{of.named(infinite, 'pair')}the bodies overlap so deeply that the tangent is beyond the largest number"
+        )
     return result

@@ -122,12 +122,12 @@ def normal_law(
         of.share(name, value, own)
     overlaps, largest = of.columns()
     values, onset, info = of.call(
-        [(19,), (5,), ()], _core.f2py_yielding.normal_law_of_points, overlaps, 0, largest, *of.shared_columns()
+        [(20,), (5,), ()], _core.f2py_yielding.normal_law_of_points, overlaps, 0, largest, *of.shared_columns()
     )
     refuse(of, info, onset[0])
-    _, force, stiffness, _, by_angle, by_largest, major, minor, disc, dent, energy, dissipation, *_ = values
+    _, force, stiffness, _, by_angle, by_largest, major, minor, disc, dent, energy, dissipation, *_, widest = values
     if yield_stress is not None:
-        refuse_wide(of, np.sqrt(major * minor), radii)
+        refuse_wide(of, widest, radii)
     of_points = (force, stiffness, by_angle, by_largest, major, minor, disc, dent)
     return NormalForce(*of.results(np.array([*of_points, np.maximum(force, largest), energy, dissipation])))
 
