@@ -284,16 +284,11 @@ class _Plan:
         else:
             hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
-        if isinstance(wrap, Interaction) and ends == "periodic":
-            raise ValueError(
-                'wires of a cell with ends="periodic" touch across the ends by the laws of the strands: between bundles give a '
-                'Wrap, or ends="clamped", not an Interaction'
-            )
-        if wrap is not None:
-            wrap_bundles(model, wrap, interaction, sum(self.stages[-1]) if len(self.stages) > 1 else 1)
+        bundles = sum(self.stages[-1]) if len(self.stages) > 1 else 1
+        wrapped = None if wrap is None else wrap_bundles(model, wrap, interaction, bundles)
         # of a single layer each cross-section is like any other
         if passages and sum(layer.at > 0 for stage in laid for layer in stage) > 1:
-            go_on_beyond(model, passages, STRETCH, interaction)
+            go_on_beyond(model, passages, STRETCH, interaction, bundles, wrapped)
         return model
 
     def _laid(self, room: float, enlarge: bool) -> list[list[Layer]]:
