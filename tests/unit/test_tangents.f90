@@ -353,7 +353,7 @@ contains
          '*MATERIAL, NAME=M'//nl//'*ELASTIC'//nl//elasticity//expansion// &
          '*ELECTRICAL CONDUCTIVITY'//nl//conductivity// &
          '*BEAM SECTION, ELSET=A, MATERIAL=M, CONTACT RADIUS=1e-3, SECTION='//section_a//nl// &
-         '*BEAM SECTION, ELSET=B, MATERIAL=M, CONTACT RADIUS=0.8e-3, SECTION='//section_b//nl// &
+         '*BEAM SECTION, ELSET=B, MATERIAL=M, STIFFNESS=0.7, CONTACT RADIUS=0.8e-3, SECTION='//section_b//nl// &
          '*SURFACE INTERACTION, NAME=T'//options//nl//laws//'*CONTACT PAIR, INTERACTION=T'//nl//names//nl
    end function elements_and_contact
 

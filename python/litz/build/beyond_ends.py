@@ -35,7 +35,12 @@ def own_groups(model: Model) -> list[WireGroup]:
 
 
 def go_on_beyond(
-    model: Model, passages: Sequence[Passage], stretch: str, interaction: Interaction, bundles: int, wrapped: Interaction | None
+    model: Model,
+    passages: Sequence[Passage],
+    stretch: str,
+    interaction: Interaction,
+    bundles: int,
+    wrapped: Interaction | None,
 ) -> None:
     """Let wires go on a little beyond both ends of a cell, as images of those that they go on as, and touch there.
 

@@ -112,7 +112,8 @@ def strand(
     but for a stretch along z, the displacement of the node set STRETCH (`model.press(-d)` stretches by d; without it the cell is
     free to); potentials are not. Where wires cross, of several layers or stages, they go on by two elements beyond both ends, the
     groups BEYOND_PLUS_LAYER1, BEYOND_MINUS_LAYER1, ..., as images of those that they go on in: so contacts near the ends are
-    those of wires without ends. These elements have next to no stiffness and carry no current.
+    those of wires without ends. These elements have next to no stiffness and no weight. For currents they are a part of the wires
+    that they go on from: contacts across the upper end belong to these, as `Results` has them.
 
     Examples
     --------

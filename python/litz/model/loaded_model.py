@@ -19,7 +19,7 @@ from .names import AnyNodes
 from .steps import Step
 from .surface_model import Reference, SurfaceModel
 from .surfaces import RigidSurface
-from .wires import Nodes, WireGroup
+from .wires import WireGroup
 
 #: Parameters of *UNITS that are those of SI
 _SI_LABELS = {
@@ -43,8 +43,6 @@ class LoadedModel(SurfaceModel):
         self.ground: str | None = None
         self.steps: list[Step] = []
         self.cards: list[CardSpec] = []
-        #: Nodes beyond the ends of a cell, and the nodes within it that they are images of
-        self.images: dict[int, int] = {}
         self._unit_labels = None if units is None else _unit_labels(units)
 
     @property
@@ -186,13 +184,6 @@ class LoadedModel(SurfaceModel):
         if not targets:
             raise ValueError("the model has no wires yet: add them with model.wire() before their temperature")
         self.card("INITIAL CONDITIONS", {"TYPE": "TEMPERATURE"}, [[target, value] for target in targets])
-
-    def with_images(self, nodes: AnyNodes) -> list[Target]:
-        """What stands on data lines for nodes, and for those that are images of them beyond the ends of a cell."""
-        target = self.target(nodes)
-        members = set(self.nodes_of(target))
-        images = [image for image, node in self.images.items() if node in members and image not in members]
-        return [target, self.target(Nodes(f"IMAGES_{target}", images))] if images else [target]
 
     def physical_constants(self, *, absolute_zero: float | None = None, stefan_boltzmann: float | None = None) -> None:
         """Set absolute zero on the scale of the temperatures, and the Stefan-Boltzmann constant [W/(m^2 K^4)]."""

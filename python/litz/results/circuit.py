@@ -13,8 +13,8 @@ import numpy as np
 from ..base.packages import optional
 from ..base.quantities import attribute, in_brackets
 from ..base.table import Table
-from .ledger import rows_of
 from .graphml import write_graphml
+from .ledger import rows_of
 from .mutual_resistances import mutual_resistances
 from .result_file import ResultFile
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..errors import FileError
 from ..wires import BEYOND, Wire, WireArcs, ends_of_images, find_wires, numbered_wires, wire_arcs, without_images
-from .hdf5_values import text_of
 from .outlines import SectionOutline
 from .rigid_surfaces import SurfaceShape, read_surfaces
 
@@ -150,4 +149,3 @@ class ResultMesh:
                 key.replace("|", "/"): order[np.searchsorted(ids, members[()], sorter=order)]
                 for key, members in file[name].items()
             }
-
