@@ -88,9 +88,11 @@ contains
             if (ok) call set_offset(self, card, section)
          end associate
       end if
+      section%stiffness = real_parameter(self, card, 'STIFFNESS', 1.0_dp)
       section%contact_radius = real_parameter(self, card, 'CONTACT RADIUS', section%contact_radius)
-      ! a wrong radius was reported; here it only must not look like none
+      ! a wrong radius or factor was reported; here it only must not look like none
       if (has_flag(self, card, 'CONTACT RADIUS') .and. .not. section%contact_radius > 0) section%contact_radius = 1
+      if (.not. section%stiffness > 0) section%stiffness = 1
    end subroutine read_section
 
    !> What the data line says of the cross-section, in the order of the dimensions of Abaqus.

@@ -61,6 +61,8 @@ contains
       call k%add(number('OFFSET2', 'the same along n2', limit_none))
       call k%add(choice('CONDUCTION', 'REFERENCE LENGTH|CURRENT LENGTH', &
          'length used for the resistance of an element (litz extension)', default='REFERENCE LENGTH'))
+      call k%add(number('STIFFNESS', 'factor of the stiffnesses of the beams; contacts, currents, heat and weight'// &
+         ' do not have it (litz extension)', limit_positive, '1'))
       call k%add_data([real_field('radius', 'm', 'radius of the wire', limit_positive)], when='SECTION=CIRC')
       general = [real_field('A', 'm^2', 'area', limit_positive), &
          real_field('I11', 'm^4', 'second moment for bending about the first axis n1', limit_positive), &

@@ -75,10 +75,8 @@ module litz_model
       real(dp), allocatable :: resistivity(:, :)
       !> Temperatures [K], ascending, and heat conductivities [W/(m K)] (2, n); not there: no heat flows
       real(dp), allocatable :: heat_conductivity(:, :)
-      !> Part of the electric power that becomes heat
-      real(dp) :: joule_fraction = 1
-      !> [kg/m^3]; 0: not given
-      real(dp) :: density = 0
+      !> Part of the electric power that becomes heat; mass per volume [kg/m^3], 0: not given
+      real(dp) :: joule_fraction = 1, density = 0
       !> Temperatures [K], ascending, and specific heats [J/(kg K)] (2, n); not there: no heat is stored
       real(dp), allocatable :: specific_heat(:, :)
       !> Heat of changes of phase [J/kg], and the temperatures between which it is taken up [K] (3, n); not there: none
@@ -106,6 +104,8 @@ module litz_model
       integer :: shear = shear_given
       !> `shear_by_factors`: shear stiffness over G A, along the first and the second axis
       real(dp) :: shear_factor(2) = 1
+      !> Factor of the stiffnesses of its beams; nothing else has it
+      real(dp) :: stiffness = 1
       !> Its corners along the section axes from the centroid (2, n), where it has some, and its outer radius where
       !> it is round [m]; 0: not known
       real(dp), allocatable :: corners(:, :)

@@ -122,9 +122,9 @@ contains
          associate (section => model%sections(model%element_section(e)), node => model%connectivity(:, e))
             associate (material => model%materials(section%material))
                length = log10(norm2(model%x(:, node(2)) - model%x(:, node(1))))
-               exponents = [length, log10([section%ga2, section%ga3]) - length, &
+               exponents = [length, log10(section%stiffness*[section%ga2, section%ga3]) - length, &
                   log10(material%young) + log10([section%area, section%i2, section%i3, section%j]) &
-                  - length*[1, 3, 3, 1], 0.0_dp]
+                  + log10(section%stiffness) - length*[1, 3, 3, 1], 0.0_dp]
                if (material%conductivity > 0) exponents(8) = log10(material%conductivity) + log10(section%area) - length
             end associate
          end associate

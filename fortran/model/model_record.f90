@@ -139,6 +139,7 @@ contains
             call record%value('angle of the principal axes', this%turn)
             call record%list('shear centre', reshape(this%shear_centre, [2, 1]))
             call record%list('centroid', reshape(this%centroid, [2, 1]))
+            if (abs(this%stiffness - 1) > 0) call record%value('STIFFNESS', this%stiffness)
             call record%value('outer radius', this%outer_radius)
             call record%list('direction of the first axis', reshape(this%n1, [3, 1]))
             call record%value('CONDUCTION', trim(merge('CURRENT LENGTH  ', 'REFERENCE LENGTH', this%current_length)))

@@ -147,6 +147,7 @@ contains
             model%materials(this%material)%name//'): A = '//with_unit(this%area, 'm^2')//', I2 = '// &
             with_unit(this%i2, 'm^4')//', I3 = '//with_unit(this%i3, 'm^4')//', J = '//with_unit(this%j, 'm^4')// &
             ', GA2 = '//with_unit(this%ga2, 'N')//', GA3 = '//with_unit(this%ga3, 'N')
+         if (abs(this%stiffness - 1) > 0) text = text//', stiffnesses times '//to_text(this%stiffness)
          if (abs(this%turn) > 0) text = text//', principal axes turned by '//to_text(this%turn*180/pi)// &
             ' degrees from n1'
          if (any(abs([this%shear_centre, this%centroid]) > 0)) text = text//', centroid '// &

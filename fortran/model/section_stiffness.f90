@@ -18,6 +18,7 @@ contains
       stiffness = [young*section%area, section%ga2, section%ga3, young/(2*(1 + poisson))*section%j, &
          young*section%i2, young*section%i3]
       if (section%shear /= shear_given) stiffness(2:3) = shear_stiffness(section, young, poisson)
+      stiffness = section%stiffness*stiffness
    end function section_stiffness
 
    !> How these change with the elasticity (6).
@@ -30,10 +31,10 @@ contains
       shear = young/(2*(1 + poisson))
       dshear = shear*(dyoung/young - dpoisson/(1 + poisson))                       ! of G
       slope = [dyoung*section%area, 0.0_dp, 0.0_dp, dshear*section%j, dyoung*section%i2, dyoung*section%i3]
-      if (section%shear == shear_given) return
-      slope(2:3) = dshear*section%area*section%shear_factor
+      if (section%shear /= shear_given) slope(2:3) = dshear*section%area*section%shear_factor
       if (section%shear == shear_round) slope(2:3) = shear_stiffness(section, young, poisson) &
          *(dyoung/young - 6*dpoisson/(7 + 6*poisson))                              ! of 3 E A/(7 + 6 nu)
+      slope = section%stiffness*slope
    end function section_stiffness_slope
 
    !> Along both axes, of sections whose shear stiffness is not given (2) [N]. Source of the factor of round wires:

@@ -55,7 +55,7 @@ contains
       stiffness = huge(1.0_dp)
       do e = 1, model%n_elements
          associate (section => model%sections(model%element_section(e)))
-            associate (young => model%materials(section%material)%young)
+            associate (young => section%stiffness*model%materials(section%material)%young)
                stiffness(1) = min(stiffness(1), young*section%area/length(e))
                stiffness(2) = min(stiffness(2), young*min(section%i2, section%i3)/length(e))
             end associate

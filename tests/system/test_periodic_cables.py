@@ -60,12 +60,19 @@ def test_a_jacket_holds_a_cell_across(tmp_path):
 
 
 def all_contacts(path):
-    """Rows of the last increment in the table of contacts, with those of images, which `Results` leaves out."""
+    """Rows of the last increment in the table of contacts, with those that `Results` does not count."""
     with next(path.glob("*_contacts.csv")).open() as file:
         rows = list(csv.DictReader(file))
     last = rows[-1]["increment"]
     names = {name.split(" [")[0]: name for name in rows[0]}
-    wanted = ["element_1", "element_2", "force", "gap", *(f"point_{k}_{axis}" for k in (1, 2) for axis in "xyz")]
+    wanted = [
+        "element_1",
+        "element_2",
+        "force",
+        "gap",
+        "length",
+        *(f"point_{k}_{axis}" for k in (1, 2) for axis in "xyz"),
+    ]
     return {name: np.array([float(row[names[name]]) for row in rows if row["increment"] == last]) for name in wanted}
 
 
@@ -125,3 +132,135 @@ def test_a_jacket_compacts_a_cell_of_two_stages(tmp_path):
     stages = results.interstrand_resistance(superconducting=True).stages()
     assert stages["not_joined"].sum() == 0
     assert np.isfinite(stages["mean"]).all()
+
+
+#: Layers of opposite lay, which all begin at the same angle: six of the 18 crossings of 6 mm lie in the end plane
+CROSSED = {
+    "radius": [CORE, OUTER, OUTER], "lay_length": [36e-3, 72e-3], "direction": "SZ", "length": 6e-3, "enlarge": True,
+    "element_length": 0.75e-3,
+}  # fmt: skip
+#: Layers of the same hand, which touch along short lines; all of these begin or end in the end plane
+SLANTED = CROSSED | {"lay_length": [36e-3, 48e-3], "direction": "Z", "length": 12e-3, "element_length": 1e-3}
+#: A strand of the length of the cell resists a millionth of what a contact does
+NEARLY_SUPERCONDUCTING = litz.Material("WIRE", 120e9, 0.34, 5.88e13)
+
+
+def fed_cell(directory, wires, metal, periods=1, cell=CROSSED):
+    """Results of a cell that is pulled, settles, and is fed with 1 A into each of some wires of the layer inside.
+
+    The current leaves from wires of the other layer: its voltage, and the wires where it enters and leaves.
+    """
+    cell = cell | {"length": periods * cell["length"]}
+    model = build.strand(
+        [1, 6, 12], material=metal, ends="periodic",
+        interaction=litz.Interaction(conductance=litz.FilmSpot(1e-11), friction=0.3), **cell,
+    )  # fmt: skip
+    for name, layer in (("FROM", "LAYER1"), ("TO", "LAYER2")):
+        model.node_set(name, [wire.nodes[0] for wire in model.groups[layer].wires[wires]])
+    pull = model.press(-STRAIN * cell["length"], increment=0.25)
+    pull.controls("STABILIZE", factor=10)
+    pull.potential("TO", 0)
+    settle = model.step("SETTLE", increment=1.0)
+    settle.controls("STABILIZE", factor=0)
+    settle.current("FROM", 1.0)
+    results = model.run(directory)
+    ends = [
+        [k for k, wire in enumerate(results.wires) if wire.nodes[0] in results.node_sets[name]]
+        for name in ("FROM", "TO")
+    ]
+    return results, float(results.field("potential")[results.node_sets["FROM"]].mean()), ends
+
+
+def between_the_layers(results):
+    """Contacts between both layers, and which way their current counts."""
+    ledger = results.contacts_at()
+    rows = [np.searchsorted(results.element_ids, ledger[f"element_{side}"]) for side in (1, 2)]
+    own = {int(row): number for number, wire in enumerate(results.wires) for row in wire.elements}
+    # all are contacts of wires of the cell
+    layers = [np.array([(own[int(row)] > 0) + (own[int(row)] > 6) for row in some]) for some in rows]
+    kept = layers[0] + layers[1] == 3
+    return ledger.where(kept), np.where(layers[0] < layers[1], 1, -1)[kept]
+
+
+def test_crossings_in_the_end_plane_conduct(tmp_path):
+    """A cell of one period and one of two are the same cable; a third of the crossings of the first lies in its end plane.
+
+    Forces are equal to 3e-6, and the resistance of a film goes with less than a force.
+    """
+    found, slices = [], []
+    for periods in (1, 2):
+        results, voltage, ends = fed_cell(tmp_path / str(periods), slice(None), NEARLY_SUPERCONDUCTING, periods)
+        contacts, sense = between_the_layers(results)
+        assert contacts.n_rows == 18 * periods
+        # all of the current passes from one layer to the other, and each contact counts once
+        assert (sense * contacts["current"]).sum() == pytest.approx(6.0, rel=1e-9)
+        cold = results.interstrand_resistance(superconducting=True).between(*ends)
+        assert cold == pytest.approx(1 / (1 / contacts["resistance"]).sum(), rel=1e-9)
+        # wires resist a millionth of that
+        assert voltage / 6 == pytest.approx(cold, rel=5e-6)
+        found.append([cold * periods, voltage * periods, contacts["force"].sum() / periods])
+        # with the contacts on the core, whose lines have axes with ends
+        slices.append(results.along_cable(count=1)["conductance_per_length"][0])
+    assert found[0] == pytest.approx(found[1], rel=5e-6)
+    assert slices[0] == pytest.approx(slices[1], rel=1e-4)
+
+
+@pytest.mark.parametrize(("cell", "exact"), [(CROSSED, 1e-6), (SLANTED, 1e-4)], ids=["points", "lines"])
+def test_a_fed_cell_is_the_circuit_of_its_contacts(tmp_path, cell, exact):
+    """Between two wires, whose copper resists too, and with all that lies across the end."""
+    results, voltage, ((first,), (second,)) = fed_cell(tmp_path, slice(0, 1), litz.COPPER, cell=cell)
+    resistance = results.interstrand_resistance().matrix[first, second]
+    # what strips of one section add to each other is shared among places as those of the program lie, but for round-off
+    assert voltage == pytest.approx(resistance, rel=exact)
+    # all power is heat of wires and contacts, each once
+    assert results.wire_heat()["total"].sum() == pytest.approx(voltage, rel=1e-9)
+    shares = results.current_shares(count=20)
+    assert np.abs(shares.total).max() < 1e-9
+
+
+def test_the_weight_of_a_cell_is_that_of_its_wires(tmp_path):
+    """GRAV without a set: images weigh nothing, and have a density, so that it is not refused."""
+    metal = litz.Material("WIRE", 120e9, 0.34, density=8900.0)
+    model = build.strand(
+        [1, 6, 12], material=metal, ends="periodic", interaction=litz.Interaction(friction=0.3), **CROSSED,
+    )  # fmt: skip
+    pull = model.press(-STRAIN * 6e-3, increment=0.5)
+    pull.gravity((0, 0, -1e3))
+    pull.controls("STABILIZE", factor=10)
+    settle = model.step("SETTLE", increment=1.0)
+    settle.controls("STABILIZE", factor=0)
+    settle.node_print("MINUS", "RF", totals="ONLY")
+    results = model.run(tmp_path)
+    volume = sum(
+        np.pi
+        * results.radius[wire.elements[0]] ** 2
+        * np.linalg.norm(np.diff(results.nodes[wire.nodes], axis=0), axis=1).sum()
+        for wire in results.wires
+    )
+    # axes are 1e-5 longer than their chords
+    assert results.history["RF3 sum MINUS"][-1] == pytest.approx(1e3 * 8900 * volume, rel=3e-5)
+
+
+@pytest.mark.slow
+def test_wrapped_bundles_touch_across_the_ends_as_they_do_within(tmp_path):
+    """By a law of line contact of their own: force over length and overlap is its penalty, at every place."""
+    tape = litz.Interaction("TAPE", litz.Linear(2e6, line_penalty=2e9), litz.FilmSpot(1e-10), friction=0.05)
+    model = build.cable(
+        [[3], [3]], radius=0.41e-3, lay_lengths=[20e-3, 40e-3], length=40e-3 / 3, ends="periodic", interaction=RUBBED, wrap=tape
+    )  # fmt: skip
+    build.compact(model, 0.545, increments=10)
+    model.run(tmp_path)
+    ledger = all_contacts(tmp_path)
+    upper = list(model.groups["BEYOND_PLUS_LAYER1"].elements)
+    number_of = {element: number for number in (1, 2, 3) for element in model.elements_of(f"BUNDLE{number}")}
+    number_of |= {element: k for k in (1, 2, 3) for element in model.elements_of(f"BEYOND_PLUS_BUNDLE{k}")}
+    across, between = (np.zeros(len(ledger["force"]), dtype=bool) for _ in range(2))
+    for row, pair in enumerate(zip(ledger["element_1"], ledger["element_2"], strict=True)):
+        across[row] = (pair[0] in upper) != (pair[1] in upper) and all(one in number_of for one in pair)
+        bundles = [number_of.get(one, 0) for one in pair]
+        between[row] = bundles[0] != bundles[1] and 0 not in bundles and not (pair[0] in upper and pair[1] in upper)
+    on_lines = between & (ledger["length"] > 0) & (ledger["gap"] < -1e-7)
+    force = 2e9 * ledger["length"] * -ledger["gap"]
+    assert (on_lines & across).sum() >= 3
+    assert (on_lines & ~across).sum() >= 3
+    np.testing.assert_allclose(ledger["force"][on_lines], force[on_lines], rtol=1e-6)

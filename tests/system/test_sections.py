@@ -210,6 +210,41 @@ def test_a_general_section_of_abaqus(litz, tmp_path, material, axis, warping):
     assert results.field("rotation")[2, 0] == pytest.approx(1.0 * LENGTH / (G * 12.5), rel=1e-6)
 
 
+@pytest.mark.parametrize("element", ["B33", "B31"])
+@pytest.mark.parametrize(
+    "section",
+    [
+        "CIRC{}\n 2.",
+        "RECT{}\n 2., 6.",
+        "GENERAL{}\n 12., 36., 0., 4., 12.5\n 0, 0, -1\n*TRANSVERSE SHEAR STIFFNESS\n 3e5, 2e5",
+    ],
+)
+def test_beams_have_a_factor_of_their_stiffness(litz, tmp_path, element, section):
+    """A quarter of all stiffnesses moves under a quarter of the load as all of them do under all of it."""
+    moved = []
+    for name, factor, part in (("whole", "", 1.0), ("quarter", ", STIFFNESS=0.25", 0.25)):
+        card = "*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=" + section.format(factor)
+        load = "\n".join(f" 3, {dof}, {part * force}" for dof, force in enumerate((12, 1e-3, 2e-3, 2e-2), 1))
+        deck = DECK.format(section=card, element=element, load=load.lstrip(" ")[3:])
+        (tmp_path / "deck.inp").write_text(deck)
+        done = litz("run", "deck.inp", "-o", name, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+        results = Results(tmp_path / name)
+        moved.append(np.column_stack([results.field("displacement")[1:], results.field("rotation")[1:]]))
+    np.testing.assert_allclose(moved[1], moved[0], rtol=1e-8)
+
+
+def test_a_factor_of_stiffness_is_told_and_greater_than_zero(check):
+    card = "*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=CIRC, STIFFNESS={}\n 2."
+    told = re.search(r"stiffnesses times ([-+.eE\d]+)", check(card.format("0.25")).stdout)
+    assert float(told[1]) == 0.25
+    assert "stiffnesses" not in check(card.format("1")).stdout
+    for wrong in ("0", "-1"):
+        done = check(card.format(wrong))
+        assert done.returncode == 1
+        assert "it must be greater than 0" in done.stderr
+
+
 #: Section card and data, what is said
 REFUSED = {
     "box without room": ("SECTION=BOX\n 4, 60, 2, 3, 2, 3", "leave no room between them"),

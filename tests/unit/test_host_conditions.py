@@ -204,6 +204,16 @@ def test_a_surface_of_another_radius_is_refused(model):
             write(other)
 
 
+def test_beams_of_another_stiffness_are_refused(tmp_path):
+    deck = DECK.replace("ELSET=UPPER, MATERIAL=COPPER,", "ELSET=UPPER, MATERIAL=COPPER, STIFFNESS=0.5,")
+    assert deck != DECK
+    (tmp_path / "deck.inp").write_text(deck)
+    with pytest.raises(
+        FileError, match=r"factor of their stiffness \(STIFFNESS of \*BEAM SECTION\) cannot be exported"
+    ):
+        read_host_model(tmp_path / "deck.inp")
+
+
 def test_quadratic_beams_are_two_elements_as_in_litz(model):
     given = model(
         (

@@ -1,9 +1,11 @@
 """Cells of cables with periodic ends: lays by which ends fit, and equations that tie them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from litz import build
+from litz import Circular, FilmSpot, Interaction, Linear, Material, build
 
 PLAN = {"radius": 0.41e-3, "ends": "periodic"}
 
@@ -113,3 +115,56 @@ def test_a_jacket_is_on_the_wires_of_the_cell_alone():
     assert model.surfaces["JACKET"].radius == pytest.approx(plain.surfaces["JACKET"].radius, rel=2e-4)
     shrunk = [one.amplitudes["JACKET"].a[-1] for one in (model, plain)]
     assert shrunk[0] == pytest.approx(shrunk[1], rel=2e-4)
+
+
+def test_images_conduct_and_weigh_nothing():
+    """They are wires of the same metal and radius that have next to no stiffness, mass and store of heat."""
+    metal = Material("METAL", 110e9, 0.34, 9e6, thermal_conductivity=90.0, density=8900.0, specific_heat=380.0)
+    model = build.cable([[3], [3]], lay_lengths=[20e-3, 40e-3], length=40e-3 / 3, material=metal, **PLAN)
+    for name in ("BEYOND_PLUS_LAYER1", "BEYOND_MINUS_LAYER1"):
+        image = model.groups[name]
+        assert image.section == Circular(PLAN["radius"], stiffness=1e-5)
+        assert replace(image.material, name="METAL", density=8900.0) == metal
+        assert image.material.density == pytest.approx(1e-9 * 8900.0)
+    insulator = Material("METAL", 110e9, 0.34)
+    model = build.cable([[3], [3]], lay_lengths=[20e-3, 40e-3], length=40e-3 / 3, material=insulator, **PLAN)
+    assert replace(model.groups["BEYOND_PLUS_LAYER1"].material, name="METAL") == insulator
+
+
+def test_temperatures_of_a_step_are_those_of_images_too():
+    model = build.cable([[3], [3]], lay_lengths=[20e-3, 40e-3], length=40e-3 / 3, **PLAN)
+    group = model.groups["LAYER1"]
+    model.initial_temperature(300.0, group)
+    model.step("COOL").temperature(group, 4.0)
+    model.step("WARM").temperature(group.wires[0].nodes[1], 300.0)
+    assert [one.target for one in model.steps[0].temperatures] == ["LAYER1", "IMAGES_LAYER1"]
+    beyond = {node for name, one in model.groups.items() if name.startswith("BEYOND") for node in one.nodes}
+    assert set(model.node_sets["IMAGES_LAYER1"]) == beyond - set(group.nodes) == set(model.images)
+    one, images = (item.target for item in model.steps[1].temperatures)
+    assert {model.images[node] for node in model.nodes_of(images)} == {one}
+
+
+@pytest.mark.parametrize("wrap", [build.Wrap(0.1e-3, 5.3e-7), Interaction("TAPE", Linear(2e6, line_penalty=2e9))])
+def test_bundles_touch_across_the_ends_as_they_do_within(wrap):
+    film = Interaction(conductance=FilmSpot(1e-11))
+    model = build.cable(
+        [[3], [3]], lay_lengths=[20e-3, 40e-3], length=40e-3 / 3, interaction=film, wrap=wrap, **PLAN
+    )  # fmt: skip
+    elements = model.groups["BEYOND_PLUS_LAYER1"].elements
+    joints = {wire.nodes[-1]: wire for wire in model.groups["LAYER1"].wires}
+    parts = [model.elements_of(f"BEYOND_PLUS_BUNDLE{number}") for number in (1, 2, 3)]
+    assert sorted(one for part in parts for one in part) == sorted(elements)
+    for number, part in enumerate(parts, start=1):
+        own = set(model.elements_of(f"BUNDLE{number}"))
+        # each goes on from a wire of its bundle
+        first = model.groups["BEYOND_PLUS_LAYER1"].connectivity[np.isin(elements, part)][::2, 0]
+        assert {joints[node].elements[0] for node in first.tolist()} <= own
+    laws = {(pair.first, pair.second): pair.interaction.name for pair in model.contacts}
+    name = laws["BUNDLE1", "BUNDLE2"]
+    assert name == ("TAPE" if isinstance(wrap, Interaction) else "WRAP")
+    across = {first: second for first, second in laws if second and "BEYOND_PLUS_BUNDLE" in second}
+    assert set(across) == {"BUNDLE1", "BUNDLE2", "BUNDLE3"}
+    assert all(laws[pair] == name for pair in across.items())
+    for number, second in enumerate(across.values(), start=1):
+        others = [one for other, part in enumerate(parts, start=1) for one in part if other != number]
+        assert sorted(model.elements_of(second)) == sorted(others)

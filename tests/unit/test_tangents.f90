@@ -672,10 +672,12 @@ contains
          bodies=motions//single//axes)
    end subroutine check_equations
 
-   !> Centroids and shear centres beside the nodes, and principal axes that are not those of the sections.
+   !> Centroids and shear centres beside the nodes, principal axes that are not those of the sections, and a factor of
+   !> stiffness.
    subroutine check_sections()
-      section_a = 'L'//nl//'2.2e-3, 1.6e-3, 0.4e-3, 0.3e-3'//nl//'0, 1, 0.3'
-      section_b = 'BOX, OFFSET1=0.4, OFFSET2=-0.7'//nl//'1.2e-3, 1.8e-3, 0.2e-3, 0.1e-3, 0.3e-3, 0.25e-3'
+      section_a = 'L, STIFFNESS=0.7'//nl//'2.2e-3, 1.6e-3, 0.4e-3, 0.3e-3'//nl//'0, 1, 0.3'
+      section_b = 'BOX, STIFFNESS=0.6, OFFSET1=0.4, OFFSET2=-0.7'//nl// &
+         '1.2e-3, 1.8e-3, 0.2e-3, 0.1e-3, 0.3e-3, 0.25e-3'
       call check_terms('sections beside their nodes', 'B33', 'B31', penalty//spot, '', '', exact)
       call check_terms('unsymmetric sections', 'B31', 'B33', penalty//spot, '', loads_of_bodies, exact, &
          bodies=bodies_of('TIE'))

@@ -112,7 +112,8 @@ def strand(
     but for a stretch along z, the displacement of the node set STRETCH (`model.press(-d)` stretches by d; without it the cell is
     free to); potentials are not. Where wires cross, of several layers or stages, they go on by two elements beyond both ends, the
     groups BEYOND_PLUS_LAYER1, BEYOND_MINUS_LAYER1, ..., as images of those that they go on in: so contacts near the ends are
-    those of wires without ends. These elements have next to no stiffness and carry no current.
+    those of wires without ends. These elements have next to no stiffness and no weight. For currents they are a part of the wires
+    that they go on from: contacts across the upper end belong to these, as `Results` has them.
 
     Examples
     --------
@@ -284,16 +285,11 @@ class _Plan:
         else:
             hold_ends(model, ends)
         model.contact("WIRES", interaction=interaction)
-        if isinstance(wrap, Interaction) and ends == "periodic":
-            raise ValueError(
-                'wires of a cell with ends="periodic" touch across the ends by the laws of the strands: between bundles give a '
-                'Wrap, or ends="clamped", not an Interaction'
-            )
-        if wrap is not None:
-            wrap_bundles(model, wrap, interaction, sum(self.stages[-1]) if len(self.stages) > 1 else 1)
+        bundles = sum(self.stages[-1]) if len(self.stages) > 1 else 1
+        wrapped = None if wrap is None else wrap_bundles(model, wrap, interaction, bundles)
         # of a single layer each cross-section is like any other
         if passages and sum(layer.at > 0 for stage in laid for layer in stage) > 1:
-            go_on_beyond(model, passages, STRETCH, interaction)
+            go_on_beyond(model, passages, STRETCH, interaction, bundles, wrapped)
         return model
 
     def _laid(self, room: float, enlarge: bool) -> list[list[Layer]]:

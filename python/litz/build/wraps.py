@@ -112,8 +112,8 @@ class Wrap:
         return total + 2 * c * (1 - c) * self.through(strip, 1) + c**2 * self.through(strip, 2)
 
 
-def wrap_bundles(model: Model, wrap: Wrap | Interaction, interaction: Interaction, bundles: int) -> None:
-    """Let the strands of different bundles touch through tapes.
+def wrap_bundles(model: Model, wrap: Wrap | Interaction, interaction: Interaction, bundles: int) -> Interaction:
+    """Let the strands of different bundles touch through tapes; the laws by which they do.
 
     Parameters
     ----------
@@ -133,6 +133,7 @@ def wrap_bundles(model: Model, wrap: Wrap | Interaction, interaction: Interactio
         laws = replace(laws, name="WRAP" if interaction.name != "WRAP" else "WRAP_2")
     for first, second in combinations(range(1, bundles + 1), 2):
         model.contact(f"BUNDLE{first}", f"BUNDLE{second}", interaction=laws)
+    return laws
 
 
 def _laws(wrap: Wrap, interaction: Interaction, groups: list[WireGroup]) -> Interaction:

@@ -287,6 +287,10 @@ def _sections(mesh: Mesh, path: Path) -> tuple[list[tuple[Circular, Material]], 
         if (section, material) not in sections:
             sections.append((section, material))
         section_of[mesh.element_sets[name]] = sections.index((section, material))
+    if any(section.stiffness != 1 for section, _ in sections):
+        raise FileError(
+            f"{path}: beams with a factor of their stiffness (STIFFNESS of *BEAM SECTION) cannot be exported"
+        )
     if (section_of < 0).any():
         raise FileError(
             f"{path}: only wires with SECTION=CIRC and an elastic material that is constant can be exported"

@@ -293,7 +293,8 @@ def round_section(path: Path, dialect: str | None, card: Card, material: Materia
         raise ValueError(f"{where} has {len(values)} values on its first line; in the dialect {dialect} it is {takes}")
     if dialect == "abaqus":
         # parameters of litz
-        return Circular(float(values[0]), card.get("CONTACT RADIUS"), str(card.get("CONDUCTION", "REFERENCE LENGTH")))
+        conduction, stiffness = str(card.get("CONDUCTION", "REFERENCE LENGTH")), float(card.get("STIFFNESS", 1))
+        return Circular(float(values[0]), card.get("CONTACT RADIUS"), conduction, stiffness)
     first, last = float(values[0]), float(values[-1])
     if first == last:
         return Circular(first / 2)

@@ -180,7 +180,7 @@ class LoadedModel(SurfaceModel):
 
     def initial_temperature(self, value: float, nodes: AnyNodes | None = None) -> None:
         """Set the temperature before the first step, of some nodes or of all wires [K]."""
-        targets = [self.target(group) for group in self.groups.values()] if nodes is None else [self.target(nodes)]
+        targets = [self.target(group) for group in self.groups.values()] if nodes is None else self.with_images(nodes)
         if not targets:
             raise ValueError("the model has no wires yet: add them with model.wire() before their temperature")
         self.card("INITIAL CONDITIONS", {"TYPE": "TEMPERATURE"}, [[target, value] for target in targets])

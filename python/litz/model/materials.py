@@ -226,11 +226,14 @@ class Circular:
         Radius of the surface that touches others [m]; the radius when left out.
     conduction : {"REFERENCE LENGTH", "CURRENT LENGTH"}
         Length that the resistance of an element is taken over.
+    stiffness : float
+        Factor of the stiffnesses of the beams; contacts, currents, heat and weight do not have it.
     """
 
     radius: float
     contact_radius: float | None = None
     conduction: str = "REFERENCE LENGTH"
+    stiffness: float = 1.0
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -271,6 +274,8 @@ class General:
         Product of inertia, the integral of x1 x2 [m^4]; 0: the axes are principal ones.
     centroid, shear_center : tuple of 2 float, optional
         Where axial forces act, and what the section twists about, from the node along both axes [m]; they need `n1`.
+    stiffness : float
+        Factor of the stiffnesses of the beams; contacts, currents, heat and weight do not have it.
     """
 
     area: float
@@ -284,6 +289,7 @@ class General:
     i12: float = 0.0
     centroid: tuple[float, float] | None = None
     shear_center: tuple[float, float] | None = None
+    stiffness: float = 1.0
 
     def __post_init__(self) -> None:
         """Checks the values."""
@@ -331,4 +337,6 @@ def _parameters(section: Section, elset: str, material: str, shape: str) -> dict
         parameters["CONTACT RADIUS"] = section.contact_radius
     if section.conduction != "REFERENCE LENGTH":
         parameters["CONDUCTION"] = section.conduction
+    if section.stiffness != 1.0:
+        parameters["STIFFNESS"] = section.stiffness
     return parameters

@@ -40,6 +40,8 @@ class Names:
         self.element_sets: dict[str, list[str | int]] = {}
         self.surfaces: dict[str, RigidSurface] = {}
         self.amplitudes: dict[str, Amplitude] = {}
+        #: Nodes beyond the ends of a cell, and the nodes within it that they are images of
+        self.images: dict[int, int] = {}
         self._points = Points()
         self._n_elements = 0
 
@@ -132,6 +134,13 @@ class Names:
                 return members[0]
             nodes = Nodes(span_name(members), members)
         return self.node_set_of(nodes)
+
+    def with_images(self, nodes: AnyNodes) -> list[Target]:
+        """What stands on data lines for nodes, and for those that are images of them beyond the ends of a cell."""
+        target = self.target(nodes)
+        members = set(self.nodes_of(target))
+        images = [image for image, node in self.images.items() if node in members and image not in members]
+        return [target, self.target(Nodes(f"IMAGES_{target}", images))] if images else [target]
 
     def node_set_of(self, nodes: AnyNodes) -> str:
         """Name of the node set of some nodes, which is made if need be."""

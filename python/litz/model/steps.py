@@ -204,9 +204,9 @@ class Step:
         wires expand by (`*TEMPERATURE`).
         """
         if self._static[0] == "STATIC":
-            item = Temperature(self._model.target(nodes), value, self._amplitude(amplitude))
-            check_card("TEMPERATURE", {}, [item.row()])
-            self.temperatures.append(item)
+            items = [Temperature(one, value, self._amplitude(amplitude)) for one in self._model.with_images(nodes)]
+            check_card("TEMPERATURE", {}, [item.row() for item in items])
+            self.temperatures += items
         else:
             self.boundary(nodes, degree_of_freedom("temperature"), None, value, amplitude)
 

@@ -11,7 +11,7 @@ from ..base.quantities import engineering, label
 from ..results import Results
 from ..results.along_cable import CableAxis, cable_axis
 from ..results.contact_increments import NOT_WRITTEN_NOTE
-from ..results.contact_places import rows_of
+from ..results.ledger import rows_of
 from ..results.scalars import colours_and_limits, find_scalar, scalar_values
 from .chart_tools import equal_curves, from_zero, legend_beside, name_of_group, wire_names
 from .charts import MAX_LINES, colour_of, nothing_to_draw

@@ -8,7 +8,8 @@ from ..base.quantities import engineering, label, per, with_unit
 from ..base.table import Table
 from ..results import Results
 from ..results.contact_increments import NOT_WRITTEN_NOTE
-from ..results.contact_places import contact_places, rows_of
+from ..results.contact_places import contact_places
+from ..results.ledger import rows_of
 from ..results.zone_lines import ZoneLines, zone_lines
 from ..wires.curves import hermite, hermite_slope
 

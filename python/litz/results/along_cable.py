@@ -12,7 +12,7 @@ import numpy as np
 
 from ..base.quantities import in_brackets, per, unit_of_conductance
 from ..base.table import Table
-from .contact_places import rows_of
+from .ledger import rows_of
 from .result_file import ResultFile
 from .scalars import scalar_values, scalars
 from .surface_forces import joule_heat_on_surfaces
@@ -267,7 +267,7 @@ def wire_heat(results: ResultFile, increment: int) -> Table:
     """Heat of each wire and of its contacts; see `Results.wire_heat`."""
     arcs, n = results.wire_arcs, len(results.wires)
     ledger = results.contacts_at(increment)
-    in_wires = np.bincount(arcs.wire, results.field("joule_heat", increment), n).astype(float)
+    in_wires = np.bincount(results.conductor_arcs.wire, results.field("joule_heat", increment), n).astype(float)
     # what is raised in either half of a contact is not known apart where metals differ: half of it belongs to each wire
     in_contacts = np.zeros(n)
     for side in (1, 2):

@@ -13,8 +13,8 @@ import numpy as np
 from ..base.packages import optional
 from ..base.quantities import attribute, in_brackets
 from ..base.table import Table
-from .contact_places import rows_of
 from .graphml import write_graphml
+from .ledger import rows_of
 from .mutual_resistances import mutual_resistances
 from .result_file import ResultFile
 
@@ -42,7 +42,8 @@ class Circuit:
     wire : (n,) array of int
         Wire of each point, counted from 0.
     arc : (n,) array
-        Where it is along the wire, before deformation [m].
+        Where it is along the wire, before deformation [m]; longer than the wire where it has contacts across the upper end of
+        a cell.
     position : (n, 3) array
         Where it is in space, after deformation [m].
     points : (m, 2) array of int
@@ -253,7 +254,7 @@ def build_circuit(
         element that does not conduct.
     """
     metal = _metal(results, increment)
-    ledger = results.contacts_at(increment)
+    ledger = results.conductor_contacts_at(increment)
     ledger = ledger.where(np.isfinite(ledger["resistance"]))
     rows = [rows_of(results.element_ids, ledger[f"element_{side}"]) for side in (1, 2)]
     conducts = (metal[rows[0]] > 0) & (metal[rows[1]] > 0) if ledger.n_rows else np.zeros(0, dtype=bool)
@@ -262,11 +263,11 @@ def build_circuit(
     element = np.concatenate([*rows, extra[0]])
     along = np.concatenate([*((1 + ledger[f"xi_{side}"]) / 2 for side in (1, 2)), extra[1]])
 
-    conducting = np.flatnonzero(metal > 0)
+    conducting = np.flatnonzero((metal > 0) & _reached(results, rows))
     position = results.positions(increment)
     points = _Points(results.elements, conducting, len(position), element, along)
     n, n_contacts = len(points.element), ledger.n_rows
-    arcs = results.wire_arcs
+    arcs = results.conductor_arcs
     arc = arcs.start + (1 - arcs.sign) / 2 * arcs.length
     place = np.empty((n, 3))
     ends = position[results.elements[points.element]]
@@ -359,6 +360,18 @@ def _metal(results: ResultFile, increment: int) -> np.ndarray:
     if not metal.any():
         raise ValueError("no wire conducts: the materials have no *ELECTRICAL CONDUCTIVITY")
     return metal
+
+
+def _reached(results: ResultFile, rows: list[np.ndarray]) -> np.ndarray:
+    """Which elements are pieces of wires, those beyond the upper end of a cell as far as the wire has contacts (n_elements)."""
+    reached = ~results.images
+    on_images = np.zeros(len(reached), dtype=bool)
+    for row in rows:
+        on_images[row] = results.conducting_images[row]
+    for wire in results.conductors if on_images.any() else ():
+        touching = np.flatnonzero(on_images[wire.elements])
+        reached[wire.elements[: touching.max(initial=-1) + 1]] = True
+    return reached
 
 
 def _superconducting(results: ResultFile, increment: int, wanted: bool | None) -> np.ndarray:

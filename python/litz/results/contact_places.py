@@ -6,6 +6,7 @@ import numpy as np
 
 from ..base.table import Table
 from ..wires import Wire, WireArcs
+from .ledger import rows_of
 from .result_file import ResultFile
 
 # A foot moves along its wire by at most four times as much as its place (theory, 10.3)
@@ -105,12 +106,6 @@ def _numbering(
         upto = np.cumsum(parts[wire.elements])
         before[wire.elements], total[number] = upto - parts[wire.elements], upto[-1]
     return before, parts, total
-
-
-def rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    """Rows of elements or nodes, given the numbers of all and of those that are wanted."""
-    order = np.argsort(ids)
-    return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
 def _points(results: ResultFile, ledger: Table, rows: np.ndarray) -> np.ndarray:

@@ -15,6 +15,8 @@ from ..base.table import Table
 from .circuit import Circuit, build_circuit
 from .result_file import ResultFile
 
+#: A point is within its wire up to this part of its length
+_WITHIN = 1 + 1e-9
 #: Element sets that `litz.build.cable` makes of the members of each stage
 _BUNDLE = re.compile(r"BUNDLE\d+(_\d+)*")
 
@@ -158,7 +160,8 @@ def redistribution_lengths(results: ResultFile, increment: int, *, superconducti
     arcs = results.wire_arcs
     length = arcs.wire_length.mean()
     circuit, _ = build_circuit(results, increment, superconducting=superconducting)
-    pieces = circuit.contact == 0
+    beyond = circuit.arc > _WITHIN * arcs.wire_length[circuit.wire]
+    pieces = (circuit.contact == 0) & ~beyond[circuit.points].any(axis=1)
     along = (
         np.bincount(circuit.wire[circuit.points[pieces, 0]], circuit.resistance[pieces], len(results.wires))
         / arcs.wire_length

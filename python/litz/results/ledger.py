@@ -15,7 +15,7 @@ from .text_tables import old_names_of, read_csv, read_last_column, read_units
 _FRICTION = np.array(["none", "stick", "slip"])
 
 
-def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np.ndarray, images: np.ndarray) -> Table:
+def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np.ndarray) -> Table:
     """The contact ledger of a text table: from the file of contacts beside it, where that has all of it.
 
     It has not where contacts are written more often than fields.
@@ -26,18 +26,59 @@ def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np
         The text table.
     steps, increments, times : ndarray
         Of each increment in the result file that has its contacts in the ledger, (n_increments).
-    images : ndarray
-        Numbers of the elements whose contacts are left out.
     """
     units = read_units(path)
     try:
         columns = _columns(path, list(units), {"step": steps, "increment": increments, "time": times})
-        ledger = Table(columns, units, old_names_of(columns))
+        return Table(columns, units, old_names_of(columns))
     except (OSError, RuntimeError, KeyError):
-        ledger = read_csv(path)
-    if not len(images) or not ledger.n_rows:
+        return read_csv(path)
+
+
+def of_the_cell(ledger: Table, ids: np.ndarray, images: np.ndarray, counted: np.ndarray) -> Table:
+    """A ledger in which each contact of a cell with periodic ends is once.
+
+    Parameters
+    ----------
+    ledger : Table
+        With the contacts of all elements.
+    ids, images : (n_elements) arrays
+        Number of each element, and whether it is an image of another one, beyond the ends of the cell.
+    counted : (n_elements) array of bool
+        Images whose contacts with elements of the cell count; others have these a second time.
+    """
+    if not images.any() or not ledger.n_rows:
         return ledger
-    return ledger.where(~(np.isin(ledger["element_1"], images) | np.isin(ledger["element_2"], images)))
+    rows = [rows_of(ids, ledger[f"element_{side}"]) for side in (1, 2)]
+    within = ~images[rows[0]] | ~images[rows[1]]
+    return ledger.where(within & np.all([~images[row] | counted[row] for row in rows], axis=0))
+
+
+def at_ends(ledger: Table, ids: np.ndarray, images: np.ndarray, end: np.ndarray, xi: np.ndarray) -> Table:
+    """A ledger in which contacts on images are at the ends of the wires from which these go on.
+
+    Parameters
+    ----------
+    ledger, ids, images
+        As those of `of_the_cell`.
+    end, xi : (n_elements) arrays
+        Rows of the elements from which images go on, and at which end of them, -1 or 1.
+    """
+    if not images.any() or not ledger.n_rows:
+        return ledger
+    columns = {name: ledger[name] for name in ledger}
+    for side in (1, 2):
+        row = rows_of(ids, ledger[f"element_{side}"])
+        beyond = images[row]
+        columns[f"element_{side}"] = np.where(beyond, ids[end[row]], ledger[f"element_{side}"])
+        columns[f"xi_{side}"] = np.where(beyond, xi[row], ledger[f"xi_{side}"])
+    return Table(columns, ledger.units, old_names_of(columns))
+
+
+def rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Rows of elements or nodes, given the numbers of all and of those that are wanted."""
+    order = np.argsort(ids)
+    return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
 def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

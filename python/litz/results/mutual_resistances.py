@@ -47,7 +47,7 @@ def mutual_resistances(
     strips = [row[lines] for row in rows]
     places = _Places(results, strips, spacing[lines], resistivity)
     normal = np.stack([ledger[f"normal_{axis}"] for axis in "xyz"], axis=1)[lines]
-    wire = results.wire_arcs.wire
+    wire = results.conductor_arcs.wire
     parts = []
     for side in (0, 1):
         at, of_place = places.shares(strips[side], (1 + ledger[f"xi_{side + 1}"][lines]) / 2)
@@ -121,7 +121,7 @@ class _Places:
     """The places of all wires, one wire after the other: for which length each stands, and the resistivity there."""
 
     def __init__(self, results: ResultFile, strips: list[np.ndarray], spacing: np.ndarray, resistivity: np.ndarray):
-        arcs, radius = results.wire_arcs, results.radius
+        arcs, radius = results.conductor_arcs, results.radius
         thinnest = min(radius[row].min() for row in strips)
         parts = np.ceil(np.minimum((1 - _ROUND_OFF) * arcs.length / (_LONGEST_PART * thinnest), _MOST))
         parts = np.maximum(parts, _FEWEST).astype(int)
@@ -131,7 +131,7 @@ class _Places:
         self._before, self._last = np.zeros(len(parts), dtype=int), np.zeros(len(parts), dtype=int)
         self._first, self._closed = np.zeros(len(parts), dtype=int), arcs.closed[arcs.wire]
         length, metal, n = [], [], 0
-        for wire in results.wires:
+        for wire in results.conductors:
             upto = np.cumsum(parts[wire.elements])
             self._first[wire.elements], self._last[wire.elements] = n, n + upto[-1]
             self._before[wire.elements] = n + upto - parts[wire.elements]

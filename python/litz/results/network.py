@@ -11,9 +11,10 @@ import numpy as np
 from ..base.packages import optional
 from ..base.quantities import attribute, in_brackets
 from ..base.table import Table
-from .contact_places import ContactPlaces, contact_places, rows_of
+from .contact_places import ContactPlaces, contact_places
 from .contact_zones import contact_zones, stretch_along
 from .graphml import write_graphml
+from .ledger import rows_of
 from .result_file import ResultFile
 from .scalars import known_potential
 

@@ -14,13 +14,11 @@ import numpy as np
 from ..base.names import unknown_field, unknown_name
 from ..base.table import Table
 from ..errors import FileError, WarningEntry
-from ..wires import BEYOND, Wire, WireArcs, find_wires, numbered_wires, wire_arcs, without_images
 from .contact_increments import contacts_written, refuse_missing
 from .found_files import find_result_file
 from .hdf5_values import n_steps, numbers_of, text_of
-from .ledger import read_ledger
-from .outlines import SectionOutline
-from .rigid_surfaces import SurfaceShape, read_surfaces
+from .ledger import at_ends, of_the_cell, read_ledger
+from .result_mesh import ResultMesh
 from .run_warnings import read_warnings
 from .text_tables import read_aligned, read_csv, read_units
 
@@ -33,7 +31,7 @@ _AUDIT = ("force_balance", "moment_balance", "current_balance", "power_balance",
 _GROUPS = ("PointData", "CellData")
 
 
-class ResultFile:
+class ResultFile(ResultMesh):
     """The files of a run; `Results` adds what follows from them.
 
     Attributes
@@ -43,9 +41,8 @@ class ResultFile:
     """
 
     def __init__(self, path: str | PathLike[str]):
-        self.path = find_result_file(Path(path))
-        self._tables: dict[str, tuple[int, Table]] = {}
-        self._kept: h5py.File | None = None
+        super().__init__(find_result_file(Path(path)))
+        self._tables: dict[tuple[str, str], tuple[int, Table]] = {}
         self._kept_count: int | None = None
         self._kept_places: dict[str, tuple[h5py.Dataset, np.ndarray, int]] = {}
         with self._open() as file:
@@ -80,14 +77,6 @@ class ResultFile:
             finally:
                 self._kept = self._kept_count = None
                 self._kept_places.clear()
-
-    def _open(self) -> contextlib.AbstractContextManager[h5py.File]:
-        if self._kept is not None:
-            return contextlib.nullcontext(self._kept)
-        try:
-            return h5py.File(self.path, "r", locking=False)
-        except OSError as error:
-            raise FileError(f"cannot read {self.path}: {error}") from None
 
     # Where the results come from
 
@@ -158,98 +147,6 @@ class ResultFile:
         if not len(found):
             raise KeyError(f"increment {increment} of step {step} is not in {self.path}")
         return int(found[0])
-
-    # Mesh
-
-    @cached_property
-    def nodes(self) -> np.ndarray:
-        """Reference positions of the nodes, (n_nodes, 3) [m]."""
-        return self._static("VTKHDF/PointData/reference_position")
-
-    @cached_property
-    def node_ids(self) -> np.ndarray:
-        """Numbers of the nodes in the deck, (n_nodes)."""
-        return self._static("VTKHDF/PointData/node_id")
-
-    @cached_property
-    def elements(self) -> np.ndarray:
-        """Rows of `nodes` that each element joins, (n_elements, 2)."""
-        return self._static("VTKHDF/Connectivity").reshape(-1, 2)
-
-    @cached_property
-    def element_ids(self) -> np.ndarray:
-        """Numbers of the elements in the deck, (n_elements)."""
-        return self._static("VTKHDF/CellData/element_id")
-
-    @cached_property
-    def radius(self) -> np.ndarray:
-        """Radius of the wire at each element, (n_elements) [m]."""
-        return self._static("VTKHDF/CellData/radius")
-
-    @cached_property
-    def wires(self) -> list[Wire]:
-        """The wires, without `images`: elements between free ends and branches, in the order of their first elements."""
-        names = ("wire", "place_in_wire", "direction_in_wire")
-        with self._open() as file:
-            cells = file["VTKHDF/CellData"]
-            if "wire" not in cells:
-                # files of litz 0.1
-                return find_wires(self.elements)
-            wires = numbered_wires(self.elements, *(cells[name][()] for name in names))
-        return without_images(wires, self.images)
-
-    @cached_property
-    def images(self) -> np.ndarray:
-        """Which elements are images of others, beyond the periodic ends of a cell, (n_elements)."""
-        rows = [row for name in BEYOND for row in self.element_sets.get(name, ())]
-        return np.isin(np.arange(len(self.elements)), rows)
-
-    @cached_property
-    def wire_arcs(self) -> WireArcs:
-        """Where the elements are along the wires, before deformation."""
-        return wire_arcs(self.nodes, self.elements, self.wires)
-
-    @cached_property
-    def node_sets(self) -> dict[str, np.ndarray]:
-        """Rows of `nodes` in each node set."""
-        return self._sets("litz/node_sets", self.node_ids)
-
-    @cached_property
-    def element_sets(self) -> dict[str, np.ndarray]:
-        """Rows of `elements` in each element set."""
-        return self._sets("litz/element_sets", self.element_ids)
-
-    @cached_property
-    def rigid_surfaces(self) -> dict[str, SurfaceShape]:
-        """The rigid surfaces by their names, as they are before any deformation."""
-        with self._open() as file:
-            return read_surfaces(file)
-
-    @cached_property
-    def sections(self) -> np.ndarray:
-        """Number of the section of each element, from 1, (n_elements)."""
-        return self._static("VTKHDF/CellData/section")
-
-    @cached_property
-    def section_outlines(self) -> dict[int, SectionOutline]:
-        """Outlines of the sections that are not round and have one, by the numbers of the sections."""
-        with self._open() as file:
-            return {
-                int(name): SectionOutline(corners[()], file["litz/first_axes"][name][0])
-                for name, corners in file.get("litz/outlines", {}).items()
-            }
-
-    def _static(self, name: str) -> np.ndarray:
-        with self._open() as file:
-            return file[name][()]
-
-    def _sets(self, name: str, ids: np.ndarray) -> dict[str, np.ndarray]:
-        order = np.argsort(ids)
-        with self._open() as file:
-            return {
-                key.replace("|", "/"): order[np.searchsorted(ids, members[()], sorter=order)]
-                for key, members in file[name].items()
-            }
 
     # Fields
 
@@ -371,12 +268,26 @@ class ResultFile:
 
     @property
     def contacts(self) -> Table:
-        """The contact ledger: a row for each contact at each increment that has its own there, without those of `images`."""
-        return self._whole(self._table("_contacts.csv", self._read_ledger))
+        """The contact ledger: a row for each contact at each increment that has its own there.
+
+        A contact across the periodic ends of a cell is there once, between the two wires that touch; it enters the one that
+        reaches beyond the cell at its end.
+        """
+        return self._whole(self._table("_contacts.csv", self._ledger_on_wires))
+
+    def conductor_contacts_at(self, increment: int = -1) -> Table:
+        """The contacts at one increment as `contacts_at` has them, those across the ends of a cell on `conducting_images`."""
+        refuse_missing(self.path, self.steps, self.increments, self.has_contacts(), increment)
+        return self._at(self._whole(self._table("_contacts.csv", self._read_ledger)), increment)
 
     def _read_ledger(self, path: Path) -> Table:
         has = self.has_contacts()
-        return read_ledger(path, self.steps[has], self.increments[has], self.times[has], self.element_ids[self.images])
+        ledger = read_ledger(path, self.steps[has], self.increments[has], self.times[has])
+        return of_the_cell(ledger, self.element_ids, self.images, self.conducting_images)
+
+    def _ledger_on_wires(self, path: Path) -> Table:
+        ledger = self._table("_contacts.csv", self._read_ledger)
+        return at_ends(ledger, self.element_ids, self.images, *self._ends_of_images)
 
     def has_contacts(self, steps: np.ndarray | None = None, increments: np.ndarray | None = None) -> np.ndarray:
         """Whether the contacts of each increment (default: those in the file) are in the ledger: `*CONTACT FILE`."""
@@ -474,9 +385,10 @@ class ResultFile:
     def _table(self, ending: str, read: Callable[[Path], Table]) -> Table:
         """A table beside the result file; read again when it has grown, as during a run."""
         path, size = self._beside(ending)
-        if self._tables.get(ending, (None, None))[0] != size:
-            self._tables[ending] = (size, read(path))
-        return self._tables[ending][1]
+        key = (ending, read.__name__)
+        if self._tables.get(key, (None, None))[0] != size:
+            self._tables[key] = (size, read(path))
+        return self._tables[key][1]
 
     def _beside(self, ending: str) -> tuple[Path, int]:
         """A file beside the result file, and its size."""

@@ -90,6 +90,31 @@ def without_images(wires: list[Wire], is_image: np.ndarray) -> list[Wire]:
     return trimmed
 
 
+def ends_of_images(wires: list[Wire], is_image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Ends of wires from which images go on.
+
+    Parameters
+    ----------
+    wires, is_image
+        As those of `without_images`.
+
+    Returns
+    -------
+    element, xi : (n_elements) arrays
+        Row of the last element of the wire before each image, and the end of it where the image begins, -1 or 1; of other
+        elements -1 and 0.
+    """
+    element, xi = np.full(len(is_image), -1), np.zeros(len(is_image))
+    for wire in wires:
+        own = np.flatnonzero(~is_image[wire.elements])
+        if not len(own):
+            continue
+        for images, last, outward in ((slice(None, own[0]), own[0], -1), (slice(own[-1] + 1, None), own[-1], 1)):
+            element[wire.elements[images]] = wire.elements[last]
+            xi[wire.elements[images]] = outward * wire.signs[last]
+    return element, xi
+
+
 def numbered_wires(elements: np.ndarray, wire: np.ndarray, place: np.ndarray, direction: np.ndarray) -> list[Wire]:
     """The wires with given numbers of their elements.
 
