@@ -15,7 +15,7 @@ module litz_energy_warnings
 
    !> Part of what a step dissipates that may be in no energy
    real(dp), parameter :: allowed_part = 0.1_dp
-   !> Part of all work that may be in no energy, and that a step has to dissipate for its path to matter
+   !> Part of all energies that may be in none, and that a step has to dissipate for its path to matter
    real(dp), parameter :: least_part = 0.02_dp
 
 contains
@@ -30,7 +30,7 @@ contains
          if (.not. reaches_end(problem%model%steps(state%step), state%step_time)) return
          dissipated = by_path(now) - by_path(before)
          lost = abs(held(now) - now%work - now%thermal - (held(before) - before%work - before%thermal))
-         least = least_part*max(held(now), abs(now%work), abs(now%thermal))
+         least = least_part*max(turnover(now), turnover(before))
          if (.not. (dissipated > least .and. lost > max(least, allowed_part*dissipated))) return
          label = problem%model%units%after('J')
          call problem%warnings%add('energy_balance', 'work of '//to_text(lost)//label//' in this step is in no'// &
@@ -40,6 +40,13 @@ contains
             ' value of the procedure) tell; *ENERGY PRINT has the energies', value=100*lost/dissipated, unit='%')
       end associate
    end subroutine add_energy_balance
+
+   !> The largest energy of a state: what wires hold comes back as they are let go [J].
+   elemental real(dp) function turnover(energies)
+      type(energies_t), intent(in) :: energies
+
+      turnover = max(held(energies), abs(energies%work), abs(energies%thermal))
+   end function turnover
 
    !> Dissipated by what depends on the path [J].
    elemental real(dp) function by_path(energies)
