@@ -45,10 +45,10 @@ def needed_points(
     kept[:-1] |= is_step
     kept[1:] |= is_step
     kept[1:-1] |= turn > _KINK
-    most = max(
-        np.max(turn, where=turn <= _KINK, initial=0.0) / _TURN, np.max(change, where=~is_step, initial=0.0) / _CHANGE
-    )
-    every = max(1, int(1 / max(most, 1 / len(points))))
-    kept |= (np.arange(len(points)) - np.repeat(starts[:-1], np.diff(starts))) % every == 0
+    for amount in (np.where(turn > _KINK, 0.0, turn) / _TURN, np.where(is_step, 0.0, change) / _CHANGE):
+        passed = np.floor(np.cumsum(amount))
+        # both ends of the piece in which it has become too much: between others it has not
+        ends = np.flatnonzero(np.diff(passed, prepend=0.0) > 0)
+        kept[ends] = kept[ends + 1] = True
     rows = np.flatnonzero(kept)
     return rows, np.searchsorted(rows, starts)

@@ -242,6 +242,8 @@ def shape_text(results: Results) -> str:
     if shapes and not results.section_outlines:
         return AS_CIRCLES
     told = ["general sections are drawn as circles"] if "GENERAL" in shapes else []
+    if not results.section_outlines:
+        return "; ".join(told)
     outlined = results.element_ids[np.isin(results.sections, list(results.section_outlines))]
     contacts, on_surfaces = results.contacts, results.surface_contacts
     touching = [contacts[name] for name in ("element_1", "element_2")] if contacts.n_rows else []

@@ -220,7 +220,9 @@ def marks(scene: Scene, camera: Camera, width: float) -> _Marks:
     return _joined([_line_marks(scene, camera, pixel), _spot_marks(scene, camera, pixel)])
 
 
-_NO_MARKS: _Marks = (np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros((0, 3), dtype=np.uint8))
+_NO_MARKS: _Marks = (
+    np.zeros((0, 3), dtype=np.float32), np.zeros((0, 3), dtype=np.int32), np.zeros((0, 3), dtype=np.uint8)
+)  # fmt: skip
 
 
 def _before_wires(spots: Spots, camera: Camera) -> np.ndarray:
@@ -259,7 +261,7 @@ def _spot_marks(scene: Scene, camera: Camera, pixel: float) -> _Marks:
     for rim, colour, layer in ((rims, "white", 0.0), (0.0, SPOT_COLOUR, 0.5)):
         centres = _before_wires(scene.spots, camera) + (thin * (rank + layer) / len(rank))[:, None] * camera.toward
         half, other_half = (width / 2 + rim)[:, None] * first, (height / 2 + rim)[:, None] * second
-        parts.append(_flat(centres, half, other_half, np.tile(_bytes(colour), (len(rank), 1)), sides))
+        parts.append(_flat(centres, half, other_half, np.tile(np.uint8(_bytes(colour)), (len(rank), 1)), sides))
     return _joined(parts)
 
 

@@ -41,6 +41,7 @@ _OLD_NAMES = {
     **{f"point_bar_{axis}": f"point_1_{axis}" for axis in "xyz"},
     **{f"point_{axis}": f"point_2_{axis}" for axis in "xyz"},
 }
+_BYTES_AT_ONCE = 2**20
 _LINES_AT_ONCE = 10_000
 #: The last columns of a table may contain text
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark", "wires", "surface"])
@@ -71,12 +72,31 @@ def read_units(path: Path) -> dict[str, str]:
 def read_last_column(path: Path) -> np.ndarray:
     """The last column of a table with commas, as text (n_rows)."""
     try:
-        with path.open(encoding="utf-8", errors="replace") as file:
-            lines = _whole_lines(file)
+        with path.open("rb") as file:
+            lines = (line for line in file if line.endswith(b"\n") and not line.startswith(b"#"))
             next(lines, None)
-            return np.array([line.rpartition(",")[2].strip() for line in lines], dtype=str)
+            # most cells are empty
+            cells = ["" if line.endswith(b",\n") else _last_cell(line) for line in lines]
+            return np.array(cells, dtype=str)
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
+
+
+def _last_cell(line: bytes) -> str:
+    return line.rpartition(b",")[2].decode("utf-8", errors="replace").strip()
+
+
+def count_rows(path: Path) -> int:
+    """Number of rows of a table, without those that are not complete."""
+    n, before = -1, b"\n"
+    try:
+        with path.open("rb") as file:
+            while block := file.read(_BYTES_AT_ONCE):
+                n += block.count(b"\n") - (before + block).count(b"\n#")
+                before = block[-1:]
+    except OSError as error:
+        raise FileError(f"cannot read {path}: {error.strerror}") from None
+    return max(n, 0)
 
 
 def _read(path: Path, separator: str | None) -> Table:
