@@ -9,6 +9,8 @@ _STEEPER, _LEAST_STEP = 2.0, 1e-3
 # What turns more is a kink [rad]
 _KINK = np.radians(20.0)
 _SAME_RADIUS = 1e-6
+# Pieces within which lines turn and change by less than this part of what they may
+_FINE = 0.5
 
 
 def needed_points(
@@ -46,9 +48,13 @@ def needed_points(
     kept[1:] |= is_step
     kept[1:-1] |= turn > _KINK
     for amount in (np.where(turn > _KINK, 0.0, turn) / _TURN, np.where(is_step, 0.0, change) / _CHANGE):
-        passed = np.floor(np.cumsum(amount))
-        # both ends of the piece in which it has become too much: between others it has not
+        # what passes a whole number within a piece comes on top of what there was before
+        most = amount.max(initial=0.0)
+        is_fine = most < _FINE
+        passed = np.floor(np.cumsum(amount) / (1 - most if is_fine else 1.0))
         ends = np.flatnonzero(np.diff(passed, prepend=0.0) > 0)
-        kept[ends] = kept[ends + 1] = True
+        kept[ends + 1] = True
+        if not is_fine:
+            kept[ends] = True
     rows = np.flatnonzero(kept)
     return rows, np.searchsorted(rows, starts)

@@ -71,19 +71,34 @@ def read_units(path: Path) -> dict[str, str]:
 
 def read_last_column(path: Path) -> np.ndarray:
     """The last column of a table with commas, as text (n_rows)."""
+    cells, rest = [], b""
     try:
         with path.open("rb") as file:
-            lines = (line for line in file if line.endswith(b"\n") and not line.startswith(b"#"))
-            next(lines, None)
-            # most cells are empty
-            cells = ["" if line.endswith(b",\n") else _last_cell(line) for line in lines]
-            return np.array(cells, dtype=str)
+            while block := file.read(_BYTES_AT_ONCE):
+                whole, end, rest = (rest + block).rpartition(b"\n")
+                cells.append(_last_cells(whole + end))
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
+    found = np.concatenate(cells)[1:] if cells else np.zeros(0, dtype="S1")
+    kinds, kind = np.unique(found, return_inverse=True)
+    return np.array([one.decode("utf-8", errors="replace").strip() for one in kinds], dtype=str)[kind]
 
 
-def _last_cell(line: bytes) -> str:
-    return line.rpartition(b",")[2].decode("utf-8", errors="replace").strip()
+def _last_cells(text: bytes) -> np.ndarray:
+    """What is behind the last comma of each line of whole lines that are no comments, as bytes."""
+    letters = np.frombuffer(text, dtype=np.uint8)
+    ends = np.flatnonzero(letters == ord("\n"))
+    begins = np.append(0, ends[:-1] + 1)[: len(ends)]
+    commas = np.flatnonzero(letters == ord(","))
+    before = np.searchsorted(commas, ends) - 1
+    last = np.where(before >= 0, commas[before], -1) if len(commas) else np.full(len(ends), -1)
+    first = np.maximum(last + 1, begins)
+    is_row = letters[begins] != ord("#")
+    first, ends = first[is_row], ends[is_row]
+    width = max(1, int((ends - first).max(initial=0)))
+    places = first[:, None] + np.arange(width)
+    cells = np.where(places < ends[:, None], letters[np.minimum(places, len(letters) - 1)], np.uint8(0))
+    return np.ascontiguousarray(cells).view(f"S{width}").ravel()
 
 
 def count_rows(path: Path) -> int:
