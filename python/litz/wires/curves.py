@@ -101,6 +101,8 @@ def _joined(wires: list[Wire], part: slice) -> np.ndarray:
 
 def rotate(vectors: np.ndarray, rotations: np.ndarray) -> np.ndarray:
     """Vectors (n, 3) turned by rotation vectors (n, 3)."""
+    if not rotations.any():
+        return vectors
     angle = np.linalg.norm(rotations, axis=1, keepdims=True)
     axis = np.divide(rotations, angle, out=np.zeros_like(rotations), where=angle > 0)
     along = np.sum(axis * vectors, axis=1, keepdims=True) * axis
