@@ -85,6 +85,10 @@ class Table(Mapping):
         except KeyError:
             raise KeyError(unknown_name("column", name, self._columns)) from None
 
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a column of this name, present or old, without reading it."""
+        return name in self._columns or name in self._old_names
+
     def __iter__(self) -> Iterator[str]:
         """Names of the columns."""
         return iter(self._columns)

@@ -113,10 +113,12 @@ class Pile:
             return True
         rests_on = below if refuse is None else below.where(~refuse)
         kept_off = None if refuse is None else below.where(refuse)
-        missing = math.inf
-        for heights, forces, missing in self._fitted(self._reach, length, n_elements, rests_on):
-            if kept_off is not None and self._comes_near(heights, kept_off):
+        found: list[tuple[NDArray, NDArray, float]] = []
+        for turn in self._fitted(self._reach, length, n_elements, rests_on):
+            if kept_off is not None and self._comes_near(turn[0], kept_off):
                 return False
+            found = [turn]
+        heights, forces, missing = found[0]
         if refuse is not None and missing > self._slack:
             return False
         self._add(length, heights, forces > 0)

@@ -85,7 +85,7 @@ def curve(length: float, heights: NDArray) -> NDArray[np.float64]:
 
 
 def along(ends: NDArray, part: NDArray) -> NDArray[np.float64]:
-    """Ways, heights, and the derivatives of both by the part of an element, (4, n) [m], from what `curve` has for each, (8, n)."""
+    """Ways, heights, and the derivatives of both by the part of an element, (4, n) [m], from its columns of `curve`, (8, n)."""
     xi = 2 * part - 1
     return np.array([_value(ends[:4], xi), _value(ends[4:], xi), _slope(ends[:4], xi), _slope(ends[4:], xi)])
 

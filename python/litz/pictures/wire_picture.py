@@ -265,7 +265,9 @@ def _spot_marks(scene: Scene, camera: Camera, pixel: float) -> _Marks:
     for rim, colour, layer in ((rims, "white", 0.0), (0.0, SPOT_COLOUR, 0.5)):
         centres = _before_wires(scene.spots, camera) + (thin * (rank + layer) / len(rank))[:, None] * camera.toward
         half, other_half = (width / 2 + rim)[:, None] * first, (height / 2 + rim)[:, None] * second
-        parts.append(_flat(centres, half, other_half, np.tile(np.uint8(_bytes(colour)), (len(rank), 1)), sides))
+        parts.append(
+            _flat(centres, half, other_half, np.tile(np.array(_bytes(colour), dtype=np.uint8), (len(rank), 1)), sides)
+        )
     return _joined(parts)
 
 

@@ -318,9 +318,7 @@ def _described_columns(units: dict[str, str]) -> list[dict[str, str]]:
     return [{"name": name, "unit": unit} for name, unit in units.items() if name not in _PLACE_IN_TIME]
 
 
-def _with_surfaces(
-    contacts: Table, on_surfaces: Table, digits: int, wanted: tuple[str, ...] | None
-) -> dict[str, list]:
+def _with_surfaces(contacts: Table, on_surfaces: Table, digits: int, wanted: tuple[str, ...] | None) -> dict[str, list]:
     """Columns of the crossings, and behind them of the contacts with rigid surfaces; None where one has no value."""
     columns = {name: _column(contacts[name], digits) for name in contacts if wanted is None or name in wanted}
     if not on_surfaces.n_rows:
@@ -366,7 +364,7 @@ def _in_bytes(column: list) -> list | Numbers:
     kinds = set(map(type, column))
     if kinds == {float} and not any(column):
         return Numbers(np.zeros(len(column)), np.int32, 1.0)
-    if kinds <= {int} and -_MAX_EXACT < min(column, default=0) and max(column, default=0) < _MAX_EXACT:
+    if kinds <= {int} and min(column, default=0) > -_MAX_EXACT and max(column, default=0) < _MAX_EXACT:
         return Numbers(column, np.int32, 1.0)
     return column
 

@@ -78,7 +78,9 @@ def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tu
     reduced = _LEAST_PER_CONTACT * n_contacts > max_size
     if reduced:
         # the last increment alone may be too large, and takes long
-        only = _parts(WebData(results, increments[-1:]), None, SHORT if _LEAST_IN_COLUMNS * n_contacts > max_size else PLAIN)
+        only = _parts(
+            WebData(results, increments[-1:]), None, SHORT if _LEAST_IN_COLUMNS * n_contacts > max_size else PLAIN
+        )
         if _size(only) > max_size:
             return f"{_text('viewer.html')}{_inside(only)}{_scripts()}", increments[-1:], True
     data = WebData(results, increments)
