@@ -132,7 +132,9 @@ def test_axes_of_a_pile_are_those_of_the_model(n_elements):
     tangents = end_tangents(x, [Wire(np.arange(n_elements + 1), number, np.ones(n_elements))])
     slopes = tangents * np.linalg.norm(np.diff(x, axis=0), axis=1)[:, None, None] / 2
     elements = curve(float(n_elements), heights)
-    np.testing.assert_allclose(elements[[2, 3, 6, 7]], slopes[:, :, [0, 2]].transpose(2, 1, 0).reshape(4, -1), atol=1e-14)
+    np.testing.assert_allclose(
+        elements[[2, 3, 6, 7]], slopes[:, :, [0, 2]].transpose(2, 1, 0).reshape(4, -1), atol=1e-14
+    )
     # derivatives by central differences: a step of 1e-6 leaves 1e-10 by round-off
     part, step = np.full(n_elements, 0.3), 1e-6
     differences = (along(elements, part + step)[:2] - along(elements, part - step)[:2]) / (2 * step)

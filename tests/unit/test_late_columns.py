@@ -34,8 +34,8 @@ def test_columns_are_read_once_when_asked_for(table, asked):
         assert rows["time"].tolist() == [1.0, 1.5]
     assert asked == ["time"]
     assert rows.where(np.array([1]))["status"].tolist() == ["active"]
-    with pytest.raises(KeyError, match="tiem"):
-        table["tiem"]
+    with pytest.raises(KeyError, match="tome"):
+        table["tome"]
 
 
 def test_a_mask_may_change_afterwards(table):

@@ -21,8 +21,8 @@ _MODULES = {
 _ICON = "data:,"
 # Letters that a contact takes with all its digits, at least
 _LEAST_PER_CONTACT = 10
-# The same, with all columns and few digits
-_LEAST_IN_COLUMNS = 15
+# The same with few digits: where there is no room for these, of a contact there is what the table shows
+_LEAST_OF_COLUMNS = 5
 
 
 def page(title: str, body: str, style: str = "") -> str:
@@ -78,9 +78,8 @@ def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tu
     reduced = _LEAST_PER_CONTACT * n_contacts > max_size
     if reduced:
         # the last increment alone may be too large, and takes long
-        only = _parts(
-            WebData(results, increments[-1:]), None, SHORT if _LEAST_IN_COLUMNS * n_contacts > max_size else PLAIN
-        )
+        of_last = SHORT if _LEAST_OF_COLUMNS * n_contacts > max_size else PLAIN
+        only = _parts(WebData(results, increments[-1:]), None, of_last)
         if _size(only) > max_size:
             return f"{_text('viewer.html')}{_inside(only)}{_scripts()}", increments[-1:], True
     data = WebData(results, increments)
