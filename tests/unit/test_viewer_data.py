@@ -82,7 +82,8 @@ def test_where_full_detail_of_all_increments_has_no_room_less_detail_has_it(resu
     assert reduced
 
 
-def test_of_an_increment_that_has_no_room_at_all_nothing_else_is_put_together(results, monkeypatch):
+@pytest.mark.parametrize(("letters", "detail"), [(10, PLAIN), (5, SHORT)])
+def test_of_an_increment_that_has_no_room_at_all_nothing_else_is_put_together(results, monkeypatch, letters, detail):
     """Which of many contacts have a size at least that is known."""
     n, n_contacts = len(results.times), results.contacts_at(-1).n_rows
     packed = WebData.packed_increment
@@ -93,6 +94,6 @@ def test_of_an_increment_that_has_no_room_at_all_nothing_else_is_put_together(re
         return packed(self, place, detail)
 
     monkeypatch.setattr(WebData, "packed_increment", noted)
-    _, picked, reduced = fitting_viewer(results, list(range(n)), 10 * n_contacts - 1)
+    _, picked, reduced = fitting_viewer(results, list(range(n)), letters * n_contacts - 1)
     assert (picked, reduced) == ([n - 1], True)
-    assert made == [(n - 1, PLAIN)]
+    assert made == [(n - 1, detail)]

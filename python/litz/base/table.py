@@ -2,7 +2,7 @@
 
 import html
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,6 +20,39 @@ _MAX_CELL_WIDTH = 48
 _WIDTH = 120
 
 
+class LateColumns(Mapping):
+    """Columns that are read when they are first asked for."""
+
+    def __init__(self, names: Iterable[str], read: Callable[[str], np.ndarray], n_rows: int):
+        self._known: dict[str, np.ndarray | None] = dict.fromkeys(names)
+        self._read, self.n_rows = read, n_rows
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """Values of a column (n_rows)."""
+        values = self._known[name]
+        if values is None:
+            values = self._known[name] = self._read(name)
+        return values
+
+    def __contains__(self, name: object) -> bool:
+        """Whether there is such a column, without reading it."""
+        return name in self._known
+
+    def __iter__(self) -> Iterator[str]:
+        """Names of the columns."""
+        return iter(self._known)
+
+    def __len__(self) -> int:
+        """Number of columns."""
+        return len(self._known)
+
+    def where(self, mask: np.ndarray) -> "LateColumns":
+        """Some of the rows, of columns that are still read late."""
+        mask = np.asarray(mask)
+        rows = np.flatnonzero(mask) if mask.dtype == bool else mask.copy()
+        return LateColumns(self._known, lambda name: self[name][rows], len(rows))
+
+
 class Table(Mapping):
     """Columns of equal length, by name: `table["time"]`.
 
@@ -33,10 +66,14 @@ class Table(Mapping):
     def __init__(
         self, columns: Mapping[str, np.ndarray], units: Mapping[str, str], old_names: Mapping[str, str] | None = None
     ):
-        self._columns = dict(columns)
+        self._columns = columns if isinstance(columns, LateColumns) else dict(columns)
         self.units = dict(units)
         self._old_names = dict(old_names or {})
-        self.n_rows = len(next(iter(self._columns.values()), ()))
+        self.n_rows = columns.n_rows if isinstance(columns, LateColumns) else len(next(iter(columns.values()), ()))
+
+    def __getstate__(self) -> dict:
+        """With all columns: another process may not have the file that they are read from."""
+        return {**self.__dict__, "_columns": dict(self._columns)}
 
     def __getitem__(self, name: str) -> np.ndarray:
         """Values of a column (n_rows); a `KeyError` suggests similar names."""
@@ -47,6 +84,10 @@ class Table(Mapping):
             return self._columns[name]
         except KeyError:
             raise KeyError(unknown_name("column", name, self._columns)) from None
+
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a column of this name, present or old, without reading it."""
+        return name in self._columns or name in self._old_names
 
     def __iter__(self) -> Iterator[str]:
         """Names of the columns."""
@@ -108,8 +149,17 @@ class Table(Mapping):
         frame.attrs["units"] = dict(self.units)
         return frame
 
+    def with_column(self, name: str, values: np.ndarray) -> "Table":
+        """The same table with other values (n_rows) in one of its columns; columns that are read late still are."""
+        if isinstance(self._columns, LateColumns):
+            late = LateColumns(self._columns, lambda other: values if other == name else self[other], self.n_rows)
+            return Table(late, self.units, self._old_names)
+        return Table({**self._columns, name: values}, self.units, self._old_names)
+
     def where(self, mask: np.ndarray) -> "Table":
         """The rows for which `mask` (n_rows) is true, or those it names by index."""
+        if isinstance(self._columns, LateColumns):
+            return Table(self._columns.where(mask), self.units, self._old_names)
         return Table({name: values[mask] for name, values in self._columns.items()}, self.units, self._old_names)
 
 

@@ -24,6 +24,8 @@ _LARGEST_MOVE = 0.1
 _SHORTEST_REACH, _MAX_LAID, _PARTS = 10.0, 8, 2
 #: Longest reach [lengths of wires]: stiffer wires are level but for round-off
 _LONGEST_REACH = 1000.0
+#: Part of the clearance by which wires that touch may be nearer than it
+SLACK = 0.25
 #: Elements of level wires
 DEFAULT_ELEMENTS = 12
 #: Wires are drawn in batches of at least this many
@@ -111,10 +113,12 @@ def _drawn(rng: np.random.Generator, count: int, rules: Rules) -> NDArray[np.flo
     return ends[np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) >= rules.shortest]
 
 
-def _with_free_ends(ends: NDArray, held: NDArray, rules: Rules) -> NDArray[np.float64]:
-    """Wires whose ends have been moved away from others, but for those that are held."""
+def _with_free_ends(ends: NDArray, held: NDArray, rules: Rules, n_others: int | None = None) -> NDArray[np.float64]:
+    """Wires whose ends have been moved away from others, of which the first so many count, but for those that are held."""
     reach = _LARGEST_MOVE * rules.length
-    return move_ends(ends, held, rules.size, margin=rules.margin, reach=reach, shortest=rules.shortest)
+    return move_ends(
+        ends, held, rules.size, margin=rules.margin, reach=reach, shortest=rules.shortest, n_others=n_others
+    )
 
 
 def _keep(ends: NDArray, first_new: int, rules: Rules, *, with_ends: bool) -> NDArray[np.float64]:
@@ -146,15 +150,15 @@ class Piled:
     n_touching: int
 
 
-def pile_up(layout: Layout, distance: float, reach: float | None, n_elements: int | None) -> Piled:
+def pile_up(layout: Layout, distance: float, slack: float, reach: float | None, n_elements: int | None) -> Piled:
     """Wires that lie on those dropped before them.
 
     Parameters
     ----------
     layout : Layout
         The wires in the plane.
-    distance : float
-        Distance of the axes of wires that touch [m].
+    distance, slack : float
+        Distance of the axes of wires that touch, and by how much it may be missed [m].
     reach : float, optional
         Length over which a wire bends down [m]; None: wires are level.
     n_elements : int, optional
@@ -163,7 +167,7 @@ def pile_up(layout: Layout, distance: float, reach: float | None, n_elements: in
     lengths = np.linalg.norm(layout.ends[:, 1] - layout.ends[:, 0], axis=1)
     number = np.arange(len(lengths))
     first = np.searchsorted(layout.crossings.wires[:, 1], np.arange(len(lengths) + 1))
-    pile = Pile(distance, reach)
+    pile = Pile(distance, reach, slack)
     for wire, length in enumerate(lengths.tolist()):
         below = _below(layout.crossings.where(slice(first[wire], first[wire + 1])), lengths, number)
         pile.lay(length, _n_elements(length, reach, n_elements), below)
@@ -171,16 +175,20 @@ def pile_up(layout: Layout, distance: float, reach: float | None, n_elements: in
 
 
 def deposit(
-    rng: np.random.Generator, n_wires: int, rules: Rules, *, distance: float, reach: float, n_elements: int | None
-) -> Piled:
+    rng: np.random.Generator, n_wires: int, rules: Rules, *,
+    distance: float, slack: float, reach: float, n_elements: int | None,
+) -> Piled:  # fmt: skip
     """Wires that are dropped one after the other and bend over those below; rules hold where wires come near.
 
     A wire is drawn anew only if it would rest on another one at too small an angle, or on or under an end: what lies deeper is
     of no concern.
     """
-    pile, placed, n_drawn = Pile(distance, reach), np.empty((0, 2, 2)), 0
+    pile, placed = Pile(distance, reach, slack), np.empty((0, 2, 2))
+    n_drawn, share = 0, 1.0
     while len(placed) < n_wires:
-        count = min(n_wires + _BATCH, _TRIES * n_wires - n_drawn)
+        # what is drawn together costs as much whether it is needed or not
+        wanted = math.ceil((n_wires - len(placed)) / share) + _BATCH
+        count = min(wanted, n_wires + _BATCH, _TRIES * n_wires - n_drawn)
         if count <= 0:
             raise ValueError(
                 f"only {len(placed)} of {n_wires} fibres come to lie on others at the smallest angle, away from their ends"
@@ -189,7 +197,7 @@ def deposit(
         together = np.concatenate([placed, _drawn(rng, count, rules)])
         held = rules.is_held(together)
         held[: len(placed)] = True
-        together = _with_free_ends(together, held, rules)
+        together = _with_free_ends(together, held, rules, n_others=len(placed))
         lengths = np.linalg.norm(together[:, 1] - together[:, 0], axis=1)
         found = find_crossings(together, rules.margin, len(placed))
         wrong = ~found.crosses | (np.abs(found.sine) < math.sin(rules.smallest_angle))
@@ -204,11 +212,12 @@ def deposit(
             rows = np.arange(first[wire], first[wire + 1])
             rows = rows[number[found.wires[rows, 0]] >= 0]
             below = _below(found.where(rows), lengths, number)
-            n_laid = len(pile.heights)
+            n_laid = pile.n_wires
             if pile.lay(lengths[wire], _n_elements(lengths[wire], reach, n_elements), below, wrong[rows]):
                 number[wire] = n_laid
             if n_laid + 1 == n_wires and number[wire] >= 0:
                 break
+        share = max((pile.n_wires - len(placed)) / count, 1 / _TRIES)
         placed = together[number >= 0]
     return _piled(placed, pile)
 

@@ -12,7 +12,7 @@ those below them; here it bounds the curvature too, so that the axes are those o
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -20,8 +20,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-#: Turns in which the heights are fitted to the distances at the crossings, and steps in which these are found
-_TURNS, _CLOSER = 3, 2
+from .piled_axes import Axes, along, curve
+
+#: Fewest and most turns in which the heights are fitted to the distances at the crossings, and steps in which these are found
+_TURNS, _MAX_TURNS, _CLOSER = 3, 12, 3
 #: Exchanges of wrong supports that do not get fewer before they are exchanged one at a time; and of these, for each place
 _PATIENCE, _MAX_EXCHANGES = 4, 20
 #: Forces and heights below this part of the largest are round-off; supports give way by this part of the heights, so that those
@@ -65,12 +67,14 @@ class Pile:
         Distance of the axes of two wires that touch [m].
     reach : float, optional
         Length over which a wire bends down [m]; None: wires are level.
+    slack : float
+        By how much two axes may be nearer than `distance` [m].
     """
 
-    def __init__(self, distance: float, reach: float | None):
-        self._distance, self._reach = distance, reach
+    def __init__(self, distance: float, reach: float | None, slack: float = math.inf):
+        self._distance, self._reach, self._slack = distance, reach, slack
         self._heights: list[NDArray] = []
-        self._slopes: list[NDArray] = []
+        self._axes = Axes()
         #: Crossings of the wires, and those at which they touch
         self.n_crossings, self.n_touching = 0, 0
 
@@ -79,17 +83,14 @@ class Pile:
         """Heights of the nodes of each wire [m]."""
         return self._heights
 
-    def at(self, wires: NDArray, places: NDArray) -> NDArray[np.float64]:
-        """Heights of the smooth axes of wires at parts of their lengths, (n) [m]."""
-        return self._along(wires, places, _value)
+    @property
+    def n_wires(self) -> int:
+        """Number of its wires."""
+        return len(self._heights)
 
-    def slope(self, wires: NDArray, places: NDArray, lengths: NDArray) -> NDArray[np.float64]:
-        """Slopes of the smooth axes of wires there, (n)."""
-        return self._along(wires, places, _derivative) / lengths
-
-    def _along(self, wires: NDArray, places: NDArray, what: Callable[[NDArray, NDArray, float], float]) -> NDArray:
-        rows = zip(wires.tolist(), places.tolist(), strict=True)
-        return np.array([what(self._heights[wire], self._slopes[wire], place) for wire, place in rows])
+    def _at(self, below: Below) -> NDArray[np.float64]:
+        """Heights of the smooth axes of the wires below where they are crossed [m]."""
+        return self._axes.heights(below.wires, below.there)
 
     def lay(self, length: float, n_elements: int, below: Below, refuse: NDArray | None = None) -> bool:
         """Lay a wire on top; False, and nothing is changed, where it would rest on a wire on which it must not.
@@ -108,76 +109,103 @@ class Pile:
         if self._reach is None:
             levels = np.array([self._heights[wire][0] for wire in below.wires.tolist()])
             top = levels.max(initial=-self._distance) + self._distance
-            self._add(np.full(n_elements + 1, top), levels > top - 1.5 * self._distance)
+            self._add(length, np.full(n_elements + 1, top), levels > top - 1.5 * self._distance)
             return True
         rests_on = below if refuse is None else below.where(~refuse)
-        found = []
+        kept_off = None if refuse is None else below.where(refuse)
+        found: list[tuple[NDArray, NDArray, float]] = []
         for turn in self._fitted(self._reach, length, n_elements, rests_on):
-            if refuse is not None and self._comes_near(turn[0], below.where(refuse)):
+            if kept_off is not None and self._comes_near(turn[0], kept_off):
                 return False
-            found.append(turn)
-        heights, forces = found[-1]
-        self._add(heights, forces > 0)
+            found = [turn]
+        heights, forces, missing = found[0]
+        if refuse is not None and missing > self._slack:
+            return False
+        self._add(length, heights, forces > 0)
         return True
 
     def _comes_near(self, heights: NDArray, below: Below) -> bool:
         """A wire comes nearer than two distances to one of those below."""
-        room = weights(len(heights) - 1, below.here) @ heights - self.at(below.wires, below.there)
+        if not len(below.wires):
+            return False
+        room = weights(len(heights) - 1, below.here) @ heights - self._at(below)
         return bool((room < 2 * self._distance).any())
 
-    def _fitted(self, reach: float, length: float, n_elements: int, below: Below) -> Iterator[tuple[NDArray, NDArray]]:
-        """Heights of the nodes of a wire that rests on those below, and its forces on them, better from turn to turn."""
+    def _fitted(
+        self, reach: float, length: float, n_elements: int, below: Below
+    ) -> Iterator[tuple[NDArray, NDArray, float]]:
+        """Heights of the nodes of a wire that rests on those below, its forces on them, and what it comes too near [m].
+
+        Better from turn to turn, until it comes not much too near.
+        """
         if not len(below.wires):
-            yield np.zeros(n_elements + 1), np.zeros(0)
+            yield np.zeros(n_elements + 1), np.zeros(0), 0.0
             return
-        base, wanted = self.at(below.wires, below.there), np.full(len(below.wires), self._distance)
+        base, wanted = self._at(below), np.full(len(below.wires), self._distance)
         here = weights(n_elements, below.here)
         lifted = _compliance(n_elements, round(length / n_elements / reach, 12)) @ here.T
+        compliance = here @ lifted
         guess = _tops(below.here * length, base, reach / 2)
-        for turn in range(_TURNS):
-            forces = _supports(here @ lifted, base + wanted, guess)
+        for turn in range(_MAX_TURNS):
+            forces = _supports(compliance, base + wanted, guess)
             heights, guess = lifted @ forces, forces > 0
-            yield heights, forces
-            near = np.flatnonzero(here @ heights < base + 1.5 * wanted)
-            if turn < _TURNS - 1:
-                missing = self._distance - self._distances(length, heights, below.where(near))
-                wanted[near] += np.where(guess[near] | (missing > 0), missing, 0.0)
+            if turn == 0:
+                # whether it may lie there at all is seen before it is measured
+                yield heights, forces, math.inf
+            near = np.flatnonzero(compliance @ forces < base + 1.5 * wanted)
+            missing = self._distance - self._distances(length, heights, below.where(near))
+            most = float(missing.max(initial=0.0))
+            yield heights, forces, most
+            if turn + 1 >= _TURNS and most <= self._slack:
+                return
+            wanted[near] += np.where(guess[near] | (missing > 0), missing, 0.0)
 
     def _distances(self, length: float, heights: NDArray, below: Below) -> NDArray[np.float64]:
-        """Smallest distance of the axis of a wire from each of those below, near where they cross, by Gauss and Newton."""
-        n = len(heights) - 1
-        here, there, cosine = below.here * length, below.there * below.lengths, below.cosine
-        s, t = np.zeros(len(here)), np.zeros(len(here))
-        for _ in range(_CLOSER):
-            on, under = np.clip((here + s) / length, 0, 1), np.clip((there + t) / below.lengths, 0, 1)
-            gap = weights(n, on) @ heights - self.at(below.wires, under)
-            p, q = slope_weights(n, on) @ heights / length, self.slope(below.wires, under, below.lengths)
-            uu, uv, vv = 1 + p**2, cosine + p * q, 1 + q**2
-            down, up = s - t * cosine + p * gap, t - s * cosine - q * gap
-            rate = uu * vv - uv**2
-            s, t = s - (vv * down + uv * up) / rate, t - (uv * down + uu * up) / rate
-        on, under = np.clip((here + s) / length, 0, 1), np.clip((there + t) / below.lengths, 0, 1)
-        s, t = on * length - here, under * below.lengths - there
-        gap = weights(n, on) @ heights - self.at(below.wires, under)
-        return np.copysign(np.sqrt(s**2 + t**2 - 2 * s * t * cosine + gap**2), gap)
+        """Smallest distance of the axis of a wire from each of those below, near where they cross, by Gauss and Newton.
 
-    def _add(self, heights: NDArray, touches: NDArray) -> None:
+        In the two elements of each that are nearest to the crossing: the axes may have kinks between them.
+        """
+        n, many = len(heights) - 1, np.tile(self._axes.counts(below.wires), 4)
+        elements, cosine, wires = curve(length, heights), np.tile(below.cosine, 4), np.tile(below.wires, 4)
+        here, there = np.tile(below.here * length, 4), np.tile(below.there * below.lengths, 4)
+        on, under = np.tile(below.here, 4) * n, np.tile(below.there, 4) * many
+        other = np.repeat([[0, 1, 0, 1], [0, 0, 1, 1]], len(below.wires), axis=1)
+        first, second = _nearest(on, other[0], n), _nearest(under, other[1], many)
+        on, under = np.clip(on, first, first + 1), np.clip(under, second, second + 1)
+        for turn in range(_CLOSER + 1):
+            way, height, s_rate, p = along(elements[:, first], on - first)
+            way_below, height_below, t_rate, q = self._axes.at(wires, second, under)
+            s, t, gap = way - here, way_below - there, height - height_below
+            if turn == _CLOSER:
+                break
+            uu, uv, vv = s_rate**2 + p**2, s_rate * t_rate * cosine + p * q, t_rate**2 + q**2
+            down, up = s_rate * (s - t * cosine) + p * gap, t_rate * (t - s * cosine) - q * gap
+            step = np.clip(on - (vv * down + uv * up) / (uu * vv - uv**2), first, first + 1) - on
+            # where one of the elements ends the other follows
+            below_step = np.clip(under + (uv * step - up) / vv, second, second + 1) - under
+            on = np.clip(on + (uv * below_step - down) / uu, first, first + 1)
+            under = under + below_step
+        distances = np.copysign(np.sqrt(s**2 + t**2 - 2 * s * t * cosine + gap**2), gap)
+        return distances.reshape(4, -1).min(axis=0)
+
+    def _add(self, length: float, heights: NDArray, touches: NDArray) -> None:
         self.n_crossings += len(touches)
         self.n_touching += int(touches.sum())
         self._heights.append(heights)
-        self._slopes.append(_node_slopes(len(heights) - 1) @ heights)
+        self._axes.add(length, heights)
+
+
+def _nearest(places: NDArray, other: NDArray, n_elements: int | NDArray) -> NDArray[np.int64]:
+    """The element of a place, or where `other` is 1 the other one that is nearest to it."""
+    element = np.minimum(places.astype(int), n_elements - 1)
+    towards = np.where(places - element < 0.5, -1, 1)
+    return np.clip(element + other * towards, 0, n_elements - 1)
 
 
 def weights(n_elements: int, places: NDArray) -> NDArray[np.float64]:
     """Weights (m, n + 1) of the heights of the nodes in that of the smooth axis at parts of the length, (m)."""
     element, xi = _element(n_elements, places)
     return _combined(n_elements, element, *_shapes(xi))
-
-
-def slope_weights(n_elements: int, places: NDArray) -> NDArray[np.float64]:
-    """Weights (m, n + 1) of the heights of the nodes in the derivative by the part of the length, (m)."""
-    element, xi = _element(n_elements, places)
-    return 2 * n_elements * _combined(n_elements, element, *_shape_slopes(xi))
 
 
 def _combined(n_elements: int, element: NDArray, *shapes: NDArray) -> NDArray[np.float64]:
@@ -205,32 +233,6 @@ def _shapes(xi: Any) -> tuple[Any, ...]:
         (2 + 3 * xi - xi**3) / 4,
         (1 - xi - xi**2 + xi**3) / 4,
         (-1 - xi + xi**2 + xi**3) / 4,
-    )
-
-
-def _shape_slopes(xi: Any) -> tuple[Any, ...]:
-    """Their derivatives."""
-    rise = 0.75 * (1 - xi**2)
-    return -rise, rise, (-1 - 2 * xi + 3 * xi**2) / 4, (-1 + 2 * xi + 3 * xi**2) / 4
-
-
-def _value(heights: NDArray, slopes: NDArray, place: float) -> float:
-    return _interpolated(heights, slopes, place, _shapes)
-
-
-def _derivative(heights: NDArray, slopes: NDArray, place: float) -> float:
-    return 2 * (len(heights) - 1) * _interpolated(heights, slopes, place, _shape_slopes)
-
-
-def _interpolated(heights: NDArray, slopes: NDArray, place: float, shapes: Callable[[Any], tuple[Any, ...]]) -> float:
-    n = len(heights) - 1
-    element = min(int(n * place), n - 1)
-    first, last, slope_first, slope_last = shapes(2 * (n * place - element) - 1)
-    return float(
-        first * heights[element]
-        + last * heights[element + 1]
-        + slope_first * slopes[element]
-        + slope_last * slopes[element + 1]
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import COPPER, HERTZ_AND_HOLM, Interaction, Material, Model, straight
-from .deposition import DEFAULT_ELEMENTS, Piled, Rules, build, check_reach, deposit
+from .deposition import DEFAULT_ELEMENTS, SLACK, Piled, Rules, build, check_reach, deposit
 from .frame import add_plate, evenly, hold_in_frame, parallel_bars, unit
 from .geometry import clip_line, crossing_angle, end_distance, rounded, segment_distance, sides
 
@@ -176,8 +176,9 @@ def _deposited(
     def pile(gap: float) -> Piled:
         distance = 2 * rules.radius + gap
         return deposit(
-            np.random.default_rng(seed), n_fibres, rules, distance=distance, reach=reach, n_elements=n_elements
-        )
+            np.random.default_rng(seed), n_fibres, rules,
+            distance=distance, slack=SLACK * clearance, reach=reach, n_elements=n_elements,
+        )  # fmt: skip
 
     size = rules.size
     model = build(

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from ..model import HERTZ_AND_HOLM, SILVER, Interaction, Material, Model
-from .deposition import Rules, build, check_reach, drop, pile_up
+from .deposition import SLACK, Rules, build, check_reach, drop, pile_up
 from .geometry import sides
 
 #: Minimum distance of the end of a wire from any other wire, seen from above [radii]
@@ -104,7 +104,7 @@ def nanowire_film(
     return build(
         f"Film of {n_wires} nanowires, seed {seed}",
         "FILM",
-        lambda gap: pile_up(layout, 2 * radius + gap, reach, n_elements),
+        lambda gap: pile_up(layout, 2 * radius + gap, SLACK * clearance, reach, n_elements),
         clearance=clearance,
         length=size[0],
         rounding=max(size),

@@ -123,8 +123,9 @@ def find_crossings(ends: NDArray, near: float, first_new: int = 0) -> Crossings:
 
 
 def move_ends(
-    ends: NDArray, held: NDArray[np.bool_], size: NDArray, *, margin: float, reach: float, shortest: float
-) -> NDArray[np.float64]:
+    ends: NDArray, held: NDArray[np.bool_], size: NDArray, *,
+    margin: float, reach: float, shortest: float, n_others: int | None = None,
+) -> NDArray[np.float64]:  # fmt: skip
     """Wires that are a little shorter or longer, so that no end is nearer than a margin to another wire, where possible.
 
     An end stays on its line and takes the nearest free place, so that what a wire crosses hardly changes.
@@ -143,11 +144,14 @@ def move_ends(
         Largest distance by which an end is moved [m].
     shortest : float
         Length that a wire keeps at least [m].
+    n_others : int, optional
+        Ends are moved away from the first so many wires only; from all when left out.
     """
     ends = ends.copy()
     for _ in range(_ROUNDS):
         pairs = _near_pairs(ends, margin + reach)
         both = np.concatenate([pairs, pairs[:, ::-1]])
+        both = both if n_others is None else both[both[:, 1] < n_others]
         moved = False
         for which in (0, 1):
             outward = ends[:, which] - ends[:, 1 - which]

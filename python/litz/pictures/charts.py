@@ -331,7 +331,11 @@ def current_per_wire(axes: Axes, results: Results, increment: int) -> None:
     along = [factor * wire.signs * current[wire.elements] for wire in wires]
     mean, low, high = (np.array([f(one) for one in along]) for f in (np.mean, np.min, np.max))
     place = np.arange(1, len(wires) + 1)
-    axes.bar(place, mean, width=0.75 if len(wires) <= 60 else 1.0, color=_ONE_COLOUR)
+    if len(wires) <= 60:
+        axes.bar(place, mean, width=0.75, color=_ONE_COLOUR)
+    else:
+        # bars side by side, in one piece
+        axes.stairs(mean, np.append(place, len(wires) + 1) - 0.5, fill=True, color=_ONE_COLOUR)
     axes.vlines(place, low, high, color="#1b1b1b", linewidth=1.2 if len(wires) <= 60 else 0.5)
     axes.axhline(0, color="#888888", linewidth=0.8)
     axes.set_title("Current per wire: mean, and range along it")
@@ -370,7 +374,7 @@ def current_along_wires(axes: Axes, results: Results, increment: int) -> None:
         # a collection: matplotlib takes a second for every thousand steps of patches
         steps = zip(along, values, strict=True)
         lines = [np.stack([np.repeat(place, 2)[1:-1], np.repeat(value, 2)], axis=1) for place, value in steps]
-        colours = [colour_of(i, len(wires)) for i in range(len(wires))]
+        colours = gradient()(np.linspace(0.0, 1.0, len(wires)))
         axes.add_collection(LineCollection(lines, colors=colours, alpha=0.5, linewidths=0.8))
         axes.autoscale_view()
     axes.set_title("Current along the wires")

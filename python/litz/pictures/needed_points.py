@@ -9,6 +9,8 @@ _STEEPER, _LEAST_STEP = 2.0, 1e-3
 # What turns more is a kink [rad]
 _KINK = np.radians(20.0)
 _SAME_RADIUS = 1e-6
+# Pieces within which lines turn and change by less than this part of what they may
+_FINE = 0.5
 
 
 def needed_points(
@@ -45,10 +47,14 @@ def needed_points(
     kept[:-1] |= is_step
     kept[1:] |= is_step
     kept[1:-1] |= turn > _KINK
-    most = max(
-        np.max(turn, where=turn <= _KINK, initial=0.0) / _TURN, np.max(change, where=~is_step, initial=0.0) / _CHANGE
-    )
-    every = max(1, int(1 / max(most, 1 / len(points))))
-    kept |= (np.arange(len(points)) - np.repeat(starts[:-1], np.diff(starts))) % every == 0
+    for amount in (np.where(turn > _KINK, 0.0, turn) / _TURN, np.where(is_step, 0.0, change) / _CHANGE):
+        # what passes a whole number within a piece comes on top of what there was before
+        most = amount.max(initial=0.0)
+        is_fine = most < _FINE
+        passed = np.floor(np.cumsum(amount) / (1 - most if is_fine else 1.0))
+        ends = np.flatnonzero(np.diff(passed, prepend=0.0) > 0)
+        kept[ends + 1] = True
+        if not is_fine:
+            kept[ends] = True
     rows = np.flatnonzero(kept)
     return rows, np.searchsorted(rows, starts)

@@ -117,14 +117,16 @@ def _spread(n: int, pairs: np.ndarray) -> np.ndarray:
     angle = 2.4 * np.arange(n)
     places = np.sqrt((np.arange(n) + 0.5) / n)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     spacing = np.sqrt(np.pi / n)
+    first, last = pairs.T.copy()
     for step in np.linspace(0.2, 0.002, int(np.clip(_WORK / n**2, _LEAST_ROUNDS, _ROUNDS))):
         # the pull towards the middle keeps parts together that no line joins
         push = spacing**2 * _repulsion(places) - _INWARDS * n * spacing**2 * places
-        along = places[pairs[:, 1]] - places[pairs[:, 0]]
-        pull = along * np.linalg.norm(along, axis=1, keepdims=True) / spacing
-        for end, sign in ((0, 1.0), (1, -1.0)):
-            for axis in range(2):
-                push[:, axis] += sign * np.bincount(pairs[:, end], weights=pull[:, axis], minlength=n)
+        along = [place[last] - place[first] for place in places.T.copy()]
+        distance = np.sqrt(along[0] ** 2 + along[1] ** 2)
+        for axis in range(2):
+            pull = along[axis] * distance / spacing
+            push[:, axis] += np.bincount(first, pull, n)
+            push[:, axis] -= np.bincount(last, pull, n)
         length = np.maximum(np.linalg.norm(push, axis=1, keepdims=True), 1e-12)
         places += push / length * np.minimum(length, step)
     places -= places.mean(axis=0)

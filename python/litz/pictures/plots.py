@@ -189,7 +189,9 @@ def begin_wires(
     """
     with results.kept_open(), mpl.rc_context(STYLE):
         figures = [new_figure(INCHES["wires"], size) for _ in fields]
-        scenes = [Look(field).scenes(results, [-1]).scene(-1) for field in fields]
+        made = Look(fields[0]).scenes(results, [-1])
+        first = made.scene(-1)
+        scenes = [first, *(made.recoloured(first, -1, field) for field in fields[1:])]
         pixels = box_pixels(figures[0], _WIRES_BOX)
         camera = _camera(scenes[0], pixels, Look())
         drawn = begin_rendering(scenes, camera, pixels)

@@ -1,7 +1,8 @@
 """What a picture of the wires shows, in metres, and the camera that looks at it."""
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -139,6 +140,16 @@ class SceneMaker:
         spots: str | None = None, reference: bool = True,
     ):  # fmt: skip
         self._results, self._scale, self._reference = results, scale, reference
+        self._choose_colours(field, increments)
+        self._marks = ContactMarks(results, increments, spots)
+        self._patches = surface_patches(results, increments)
+        self._shape_text = shape_text(results)
+        self._wires, self._sections = lines_of_one_section(results)
+        self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
+
+    def _choose_colours(self, field: str | None, increments: list[int]) -> None:
+        """What the colours mean, and their range."""
+        results = self._results
         self._scalar = find_scalar(results, field or default_scalar(results, increments[-1]))
         values = [scalar_values(results, self._scalar, increment) for increment in increments]
         lowest, highest = min(np.nanmin(one) for one in values), max(np.nanmax(one) for one in values)
@@ -147,11 +158,28 @@ class SceneMaker:
         self._colours, self._limits = colours_and_limits(
             self._factor * lowest, self._factor * highest, self._scalar.is_length
         )
-        self._marks = ContactMarks(results, increments, spots)
-        self._patches = surface_patches(results, increments)
-        self._shape_text = shape_text(results)
-        self._wires, self._sections = lines_of_one_section(results)
-        self._rest = self._curves(np.zeros_like(results.nodes), np.zeros_like(results.nodes))
+
+    def recoloured(self, scene: Scene, increment: int, field: str | None) -> Scene:
+        """A scene of one increment with the colours of another field."""
+        self._choose_colours(field, [increment])
+        values = end_values(self._results, self._scalar, increment)
+        return replace(scene, **self._coloured(values))
+
+    def _coloured(self, values: np.ndarray) -> dict[str, Any]:
+        """What of a scene depends on the values at the ends of the elements that colour it."""
+        n = self._per_element
+        return {
+            "value": along_wires(self._factor * values, self._wires, n),
+            "title": self._title,
+            "limits": self._limits,
+            "colours": self._colours,
+            "grey_text": without_value(self._scalar.text) if np.isnan(values).any() else "",
+        }
+
+    @property
+    def _per_element(self) -> int:
+        """Points of each element."""
+        return int(np.clip(_MAX_POINTS // len(self._results.elements), 1, 24))
 
     def _curves(self, displacement: np.ndarray, rotation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         results = self._results
@@ -160,7 +188,7 @@ class SceneMaker:
     def scene(self, increment: int) -> Scene:
         """What is seen of one of the increments."""
         results, wires = self._results, self._wires
-        n = int(np.clip(_MAX_POINTS // len(results.elements), 1, 24))
+        n = self._per_element
         displacement = results.field("displacement", increment)
         rotation = results.field("rotation", increment)
         now = self._curves(displacement, rotation)
@@ -177,7 +205,6 @@ class SceneMaker:
             points=points,
             starts=starts,
             radius=along_wires(np.repeat(results.radius[:, None], 2, axis=1), wires, n),
-            value=along_wires(self._factor * values, wires, n),
             reference=sample_wires(*self._rest, wires, n)[0] if has_reference else np.zeros((0, 3)),
             reference_starts=starts if has_reference else np.zeros(0, dtype=int),
             surface_points=corners,
@@ -191,14 +218,11 @@ class SceneMaker:
             line_ends=lines.ends.ravel(),
             line_title=self._marks.line_title,
             line_limit=self._marks.line_factor * self._marks.line_limit,
-            title=self._title,
             spot_text=self._marks.text(increment),
             shape_text=self._shape_text,
-            limits=self._limits,
-            colours=self._colours,
             length_unit=results.unit_labels["m"],
             frames=self._frames(rotation, starts, n),
-            grey_text=without_value(self._scalar.text) if np.isnan(values).any() else "",
+            **self._coloured(values),
         )
 
     def _frames(self, rotation: np.ndarray, starts: np.ndarray, n: int) -> dict[int, Frames]:
@@ -242,6 +266,8 @@ def shape_text(results: Results) -> str:
     if shapes and not results.section_outlines:
         return AS_CIRCLES
     told = ["general sections are drawn as circles"] if "GENERAL" in shapes else []
+    if not results.section_outlines:
+        return "; ".join(told)
     outlined = results.element_ids[np.isin(results.sections, list(results.section_outlines))]
     contacts, on_surfaces = results.contacts, results.surface_contacts
     touching = [contacts[name] for name in ("element_1", "element_2")] if contacts.n_rows else []

@@ -144,10 +144,14 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray, give: Calla
     """Give the pictures one by one, made by `render_wires.py` in a process of its own."""
     distance = 10 * max(np.ptp(scene.outline, axis=0).max() + scene.radius.max() for scene in scenes)
     with tempfile.TemporaryDirectory() as folder:
+        seen, flat = None, _NO_MARKS
         for number, scene in enumerate(scenes):
+            # scenes of other colours have the same contacts
+            if seen is not scene.spots:
+                seen, flat = scene.spots, marks(scene, camera, pixels[0])
             job: dict[str, Any] = {
                 "size": np.round(pixels), "centre": camera.centre, "toward": camera.toward, "up": camera.up,
-                "half_height": camera.half_height, "distance": distance, **_meshes(scene, camera, pixels[0]),
+                "half_height": camera.half_height, "distance": distance, **_meshes(scene, camera, pixels[0], flat),
             }  # fmt: skip
             np.savez(Path(folder, f"job_{number}.npz"), **job)
             del job
@@ -165,15 +169,15 @@ def _render(scenes: list[Scene], camera: Camera, pixels: np.ndarray, give: Calla
         look()
 
 
-def _meshes(scene: Scene, camera: Camera, width: float) -> dict[str, np.ndarray]:
-    """What `render_wires.py` draws, for a picture of a width [pixels]."""
+def _meshes(scene: Scene, camera: Camera, width: float, flat: _Marks) -> dict[str, np.ndarray]:
+    """What `render_wires.py` draws, for a picture of a width [pixels], with the marks of its contacts."""
     radius = np.maximum(scene.radius, _MIN_RADIUS * camera.half_width)
     in_pixels = radius.max() * width / (2 * camera.half_width)
     # the polygon of a ring departs from the circle by less than a fifth of a pixel
     sides = int(np.clip(2 * np.ceil(np.pi * np.sqrt(in_pixels / 0.4) / 2), *_SIDES))
     tube = _wires(scene, radius, sides, _MIN_RADIUS * camera.half_width)
     colours = scalar_colours(scene.colours)(mpl.colors.Normalize(*scene.limits)(scene.value), bytes=True)[:, :3]
-    points, triangles, mark_colours = marks(scene, camera, width)
+    points, triangles, mark_colours = flat
     reference, starts = scene.reference, scene.reference_starts
     pieces = np.stack([np.arange(len(reference) - 1), np.arange(1, len(reference))], axis=1) if len(reference) else None
     return {
@@ -220,7 +224,9 @@ def marks(scene: Scene, camera: Camera, width: float) -> _Marks:
     return _joined([_line_marks(scene, camera, pixel), _spot_marks(scene, camera, pixel)])
 
 
-_NO_MARKS: _Marks = (np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros((0, 3), dtype=np.uint8))
+_NO_MARKS: _Marks = (
+    np.zeros((0, 3), dtype=np.float32), np.zeros((0, 3), dtype=np.int32), np.zeros((0, 3), dtype=np.uint8)
+)  # fmt: skip
 
 
 def _before_wires(spots: Spots, camera: Camera) -> np.ndarray:
@@ -259,7 +265,9 @@ def _spot_marks(scene: Scene, camera: Camera, pixel: float) -> _Marks:
     for rim, colour, layer in ((rims, "white", 0.0), (0.0, SPOT_COLOUR, 0.5)):
         centres = _before_wires(scene.spots, camera) + (thin * (rank + layer) / len(rank))[:, None] * camera.toward
         half, other_half = (width / 2 + rim)[:, None] * first, (height / 2 + rim)[:, None] * second
-        parts.append(_flat(centres, half, other_half, np.tile(_bytes(colour), (len(rank), 1)), sides))
+        parts.append(
+            _flat(centres, half, other_half, np.tile(np.array(_bytes(colour), dtype=np.uint8), (len(rank), 1)), sides)
+        )
     return _joined(parts)
 
 

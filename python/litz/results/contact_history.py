@@ -19,7 +19,7 @@ _CURRENT_ROUND_OFF = 1e-9
 def with_clean_currents(ledger: Table, largest: float) -> Table:
     """The contacts (a ledger) with a current of zero where it is only round-off of the largest of the run [A]."""
     flows = np.abs(ledger["current"]) >= _CURRENT_ROUND_OFF * largest
-    return Table({**ledger, "current": np.where(flows, ledger["current"], 0.0)}, ledger.units)
+    return ledger.with_column("current", np.where(flows, ledger["current"], 0.0))
 
 
 def contacts_over_time(results: ResultFile, steps: np.ndarray, increments: np.ndarray) -> Table:

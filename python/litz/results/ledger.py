@@ -8,8 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from ..base.table import Table
-from .text_tables import old_names_of, read_csv, read_last_column, read_units
+from ..base.table import LateColumns, Table
+from .text_tables import count_rows, old_names_of, read_csv, read_last_column, read_units
 
 #: What numbers of the column `friction` stand for
 _FRICTION = np.array(["none", "stick", "slip"])
@@ -81,22 +81,33 @@ def rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
-def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Columns by name, (n_rows) each; `status`, which is text alone, is that of the text table."""
+def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> LateColumns:
+    """Columns by name, (n_rows) each, read when they are needed; `status`, which is text alone, is that of the text table."""
     n = len(numbers["step"])
-    with h5py.File(path.with_suffix(".vtkhdf"), "r", locking=False) as file:
+    fields = path.with_suffix(".vtkhdf")
+    with h5py.File(fields, "r", locking=False) as file:
         rows = file["VTKHDF/NumberOfPoints"][:][file["VTKHDF/Steps/PartOffsets"][:n]]
         if len(rows) < n:
             raise KeyError(f"{path} has more increments than the file of contacts")
-        fields, n_rows = file["VTKHDF/PointData"], int(rows.sum())
-        columns = {name: np.repeat(values, rows) for name, values in numbers.items()}
-        columns |= {name: _column(fields, name, n_rows) for name in names if name not in (*numbers, "status")}
-    last = read_last_column(path)
-    if len(last) > n_rows:
+        n_rows = int(rows.sum())
+        for name in names:
+            if name not in (*numbers, "status"):
+                _column(file["VTKHDF/PointData"], name, 0)
+    n_lines = count_rows(path)
+    if n_lines > n_rows:
         raise KeyError(f"{path} has more rows than the file of contacts")
-    if "status" in names:
-        columns["status"] = last
-    return {name: columns[name] for name in names}
+
+    def read(name: str) -> np.ndarray:
+        if name == "status":
+            texts = np.zeros(n_rows, dtype="U1")
+            found = read_last_column(path)[:n_rows]
+            return np.concatenate([found, texts[len(found) :]])
+        if name in numbers:
+            return np.repeat(numbers[name], rows)
+        with h5py.File(fields, "r", locking=False) as file:
+            return _column(file["VTKHDF/PointData"], name, n_rows)
+
+    return LateColumns(names, read, n_rows)
 
 
 def _column(fields: h5py.Group, name: str, n_rows: int) -> np.ndarray:

@@ -41,6 +41,7 @@ _OLD_NAMES = {
     **{f"point_bar_{axis}": f"point_1_{axis}" for axis in "xyz"},
     **{f"point_{axis}": f"point_2_{axis}" for axis in "xyz"},
 }
+_BYTES_AT_ONCE = 2**20
 _LINES_AT_ONCE = 10_000
 #: The last columns of a table may contain text
 _TEXT_COLUMNS = frozenset(["friction", "status", "remark", "wires", "surface"])
@@ -70,13 +71,47 @@ def read_units(path: Path) -> dict[str, str]:
 
 def read_last_column(path: Path) -> np.ndarray:
     """The last column of a table with commas, as text (n_rows)."""
+    cells, rest = [], b""
     try:
-        with path.open(encoding="utf-8", errors="replace") as file:
-            lines = _whole_lines(file)
-            next(lines, None)
-            return np.array([line.rpartition(",")[2].strip() for line in lines], dtype=str)
+        with path.open("rb") as file:
+            while block := file.read(_BYTES_AT_ONCE):
+                whole, end, rest = (rest + block).rpartition(b"\n")
+                cells.append(_last_cells(whole + end))
     except OSError as error:
         raise FileError(f"cannot read {path}: {error.strerror}") from None
+    found = np.concatenate(cells)[1:] if cells else np.zeros(0, dtype="S1")
+    kinds, kind = np.unique(found, return_inverse=True)
+    return np.array([one.decode("utf-8", errors="replace").strip() for one in kinds], dtype=str)[kind]
+
+
+def _last_cells(text: bytes) -> np.ndarray:
+    """What is behind the last comma of each line of whole lines that are no comments, as bytes."""
+    letters = np.frombuffer(text, dtype=np.uint8)
+    ends = np.flatnonzero(letters == ord("\n"))
+    begins = np.append(0, ends[:-1] + 1)[: len(ends)]
+    commas = np.flatnonzero(letters == ord(","))
+    before = np.searchsorted(commas, ends) - 1
+    last = np.where(before >= 0, commas[before], -1) if len(commas) else np.full(len(ends), -1)
+    first = np.maximum(last + 1, begins)
+    is_row = letters[begins] != ord("#")
+    first, ends = first[is_row], ends[is_row]
+    width = max(1, int((ends - first).max(initial=0)))
+    places = first[:, None] + np.arange(width)
+    cells = np.where(places < ends[:, None], letters[np.minimum(places, len(letters) - 1)], np.uint8(0))
+    return np.ascontiguousarray(cells).view(f"S{width}").ravel()
+
+
+def count_rows(path: Path) -> int:
+    """Number of rows of a table, without those that are not complete."""
+    n, before = -1, b"\n"
+    try:
+        with path.open("rb") as file:
+            while block := file.read(_BYTES_AT_ONCE):
+                n += block.count(b"\n") - (before + block).count(b"\n#")
+                before = block[-1:]
+    except OSError as error:
+        raise FileError(f"cannot read {path}: {error.strerror}") from None
+    return max(n, 0)
 
 
 def _read(path: Path, separator: str | None) -> Table:

@@ -110,7 +110,7 @@ class WebData:
     def packed_increment(self, place: int, detail: Detail | None = None) -> str:
         """An increment as a page has it inside: displacements of wires, spots and lines instead of their places."""
         detail = detail or Detail()
-        data = self._increment(place, detail.digits)
+        data = self._increment(place, detail.digits, detail.columns)
         data["curves"] = self._moved(data["curves"], self._packed(self._rest), detail)
         for part in (data["spots"], data["lines"]):
             part["now"] = self._moved(part["now"], part["rest"].values, detail)
@@ -120,8 +120,7 @@ class WebData:
                 if name in part
             }
         data["fields"] = {name: replace(values, parts=detail.parts) for name, values in data["fields"].items()}
-        known = data["contacts"]
-        data["contacts"] = {name: _in_bytes(known[name]) for name in detail.columns or known if name in known}
+        data["contacts"] = {name: _in_bytes(column) for name, column in data["contacts"].items()}
         return as_part(data)
 
     def _moved(self, now: Numbers, rest: np.ndarray, detail: Detail) -> Numbers:
@@ -183,7 +182,8 @@ class WebData:
             },
         }
 
-    def _increment(self, place: int, digits: int) -> dict:
+    def _increment(self, place: int, digits: int, columns: tuple[str, ...] | None = None) -> dict:
+        """An increment; of the contacts these columns, all when left out."""
         results, index = self._results, self.increments[place]
         displacement, rotation = (results.field(name, index) for name in ("displacement", "rotation"))
         curves = element_curves(results.nodes, displacement, rotation, self._wires, len(results.elements))
@@ -204,7 +204,9 @@ class WebData:
                 "radii": Numbers(now.radii),
                 "tangents": Numbers(now.tangents, step=_TURN),
             },
-            "contacts": _with_surfaces(with_clean_currents(contacts, self._largest_current), on_surfaces, digits),
+            "contacts": _with_surfaces(
+                with_clean_currents(contacts, self._largest_current), on_surfaces, digits, columns
+            ),
             "surfaces": [self._places(patch.moved(results, index) - self._centre) for patch in self._patches],
             "zones": {name: _column(_counted_from_one(name, values), digits) for name, values in zones.items()},
             "lines": self._lines(places, curves),
@@ -324,9 +326,9 @@ def _described_columns(units: dict[str, str]) -> list[dict[str, str]]:
     return [{"name": name, "unit": unit} for name, unit in units.items() if name not in _PLACE_IN_TIME]
 
 
-def _with_surfaces(contacts: Table, on_surfaces: Table, digits: int) -> dict[str, list]:
+def _with_surfaces(contacts: Table, on_surfaces: Table, digits: int, wanted: tuple[str, ...] | None) -> dict[str, list]:
     """Columns of the crossings, and behind them of the contacts with rigid surfaces; None where one has no value."""
-    columns = {name: _column(values, digits) for name, values in contacts.items()}
+    columns = {name: _column(contacts[name], digits) for name in contacts if wanted is None or name in wanted}
     if not on_surfaces.n_rows:
         return columns
     more = {name: _column(values, digits) for name, values in on_surfaces.items()}
@@ -336,6 +338,7 @@ def _with_surfaces(contacts: Table, on_surfaces: Table, digits: int) -> dict[str
     return {
         name: columns.get(name, [None] * contacts.n_rows) + more.get(name, [None] * on_surfaces.n_rows)
         for name in [*columns, *(name for name in more if name not in columns)]
+        if wanted is None or name in wanted
     }
 
 
@@ -365,8 +368,11 @@ def _column(values: np.ndarray, digits: int) -> list:
 
 
 def _in_bytes(column: list) -> list | Numbers:
-    """Whole numbers of a page take fewer bytes than letters."""
-    if all(isinstance(value, int) and abs(value) < _MAX_EXACT for value in column):
+    """Whole numbers of a page take fewer bytes than letters, and so does a column of zeros."""
+    kinds = set(map(type, column))
+    if kinds == {float} and not any(column):
+        return Numbers(np.zeros(len(column)), np.int32, 1.0)
+    if kinds <= {int} and min(column, default=0) > -_MAX_EXACT and max(column, default=0) < _MAX_EXACT:
         return Numbers(column, np.int32, 1.0)
     return column
 

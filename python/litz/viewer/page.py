@@ -21,6 +21,8 @@ _MODULES = {
 _ICON = "data:,"
 # Letters that a contact takes with all its digits, at least
 _LEAST_PER_CONTACT = 10
+# The same with few digits: where there is no room for these, of a contact there is what the table shows
+_LEAST_OF_COLUMNS = 5
 
 
 def page(title: str, body: str, style: str = "") -> str:
@@ -72,10 +74,12 @@ def fitting_viewer(results: Results, increments: list[int], max_size: int) -> tu
     bool
         They have less detail.
     """
-    reduced = _LEAST_PER_CONTACT * results.written_contacts_at(increments[-1]).n_rows > max_size
+    n_contacts = results.written_contacts_at(increments[-1]).n_rows
+    reduced = _LEAST_PER_CONTACT * n_contacts > max_size
     if reduced:
         # the last increment alone may be too large, and takes long
-        only = _parts(WebData(results, increments[-1:]), SHORT, PLAIN)
+        of_last = SHORT if _LEAST_OF_COLUMNS * n_contacts > max_size else PLAIN
+        only = _parts(WebData(results, increments[-1:]), None, of_last)
         if _size(only) > max_size:
             return f"{_text('viewer.html')}{_inside(only)}{_scripts()}", increments[-1:], True
     data = WebData(results, increments)

@@ -6,8 +6,8 @@ import numpy as np
 
 from .chains import Wire
 
-# Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve, as in the program.
-_MAX_BEND = np.radians(20.0)
+#: Two elements that meet at a sharper angle than this are joined by a kink, not by a smooth curve, as in the program.
+MAX_BEND = np.radians(20.0)
 
 
 def arc_lengths(
@@ -83,7 +83,7 @@ def end_tangents(nodes: np.ndarray, wires: list[Wire]) -> np.ndarray:
     after[last] = np.where(closed, first, -1)
     before = np.flatnonzero(after >= 0)
     after = after[before]
-    smooth = np.sum(chords[before] * chords[after], axis=1) >= np.cos(_MAX_BEND)
+    smooth = np.sum(chords[before] * chords[after], axis=1) >= np.cos(MAX_BEND)
     before, after = before[smooth], after[smooth]
     mean = chords[before] * length[after, None] + chords[after] * length[before, None]
     tangents = np.repeat(chords[:, None], 2, axis=1)
@@ -101,6 +101,8 @@ def _joined(wires: list[Wire], part: slice) -> np.ndarray:
 
 def rotate(vectors: np.ndarray, rotations: np.ndarray) -> np.ndarray:
     """Vectors (n, 3) turned by rotation vectors (n, 3)."""
+    if not rotations.any():
+        return vectors
     angle = np.linalg.norm(rotations, axis=1, keepdims=True)
     axis = np.divide(rotations, angle, out=np.zeros_like(rotations), where=angle > 0)
     along = np.sum(axis * vectors, axis=1, keepdims=True) * axis
