@@ -49,7 +49,6 @@ def test_a_column_takes_other_values_and_the_others_are_still_read_late(table, a
     assert read["time"].tolist() == VALUES["time"].tolist()
 
 
-
 def test_a_mask_may_change_afterwards(table):
     mask = np.array([True, False, True])
     rows = table.where(mask)

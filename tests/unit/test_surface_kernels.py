@@ -302,7 +302,7 @@ class TestBadInput:
         master, deep = [[0, 0], [1e-3, 0]], [[3e-4, 1e-5], [3e-4, 1e-3]]
         with pytest.raises(ValueError, match="pair 1: the bodies overlap so deeply"):
             node_to_segment_em(master, deep, [0, 0], 0.0, area=1e-7, **laws)
-        with pytest.raises(ValueError, match="^the bodies overlap so deeply"):
+        with pytest.raises(ValueError, match=r"^the bodies overlap so deeply"):
             segment_to_segment_em(master, [[1e-3, 1e-3], [0, 1e-3]], [0, 0], [0, 0], length=1e-3, **laws)
 
     def test_augmentation_is_of_the_penalty_only(self):
