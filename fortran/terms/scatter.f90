@@ -16,7 +16,7 @@ module litz_scatter
    public :: forces_t, clear_forces, scatter, scatter_tangent, chunk
 
    !> Cells evaluated between two scatters: the tangents of elements, and nearly those of contacts, stay in the cache
-   integer, parameter :: chunk = 512
+   integer, parameter :: chunk = 1024
 
    !> Forces over all unknowns (n_slots, n_nodes): forces, moments, currents that leave the node.
    type :: forces_t

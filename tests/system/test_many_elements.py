@@ -5,7 +5,7 @@ import pytest
 
 LENGTH, RADIUS, YOUNG, CONDUCTIVITY = 9.0, 1e-3, 1e11, 5e7
 FORCE, VOLTAGE = 30.0, 1e-3
-# litz_scatter evaluates 512 at once
+# litz_scatter evaluates 1024 at once
 ELEMENTS = 1300
 
 
