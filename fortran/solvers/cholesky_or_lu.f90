@@ -110,7 +110,7 @@ contains
       if (allocated(self%coupling)) deallocate (self%coupling)
       self%steps_with_kept = 0
       self%kept_in_vain = self%kept_in_vain .and. self%may_keep
-      if (self%may_keep .and. self%cholesky%factored .and. .not. self%kept_in_vain) then
+      if (self%may_keep .and. self%cholesky%factored .and. .not. self%kept_in_vain .and. matrix%n_rows > 0) then
          self%steps_with_kept = steps_worth_a_factor(self)
       end if
       self%has_kept = self%steps_with_kept >= fewest_steps

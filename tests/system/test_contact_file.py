@@ -222,3 +222,25 @@ def test_python_writes_the_card():
     model.wire("A", (0, 0, 0), (1, 0, 0), elements=2, radius=0.1, material=litz.Material("M", young=1e9, poisson=0.3))
     model.step(increment=0.5).contact_file(0)
     assert "*CONTACT FILE, FREQUENCY=0" in model.to_deck()
+
+
+@pytest.mark.parametrize("late", [False, True])
+def test_contacts_in_hand_are_never_those_of_another_run(tmp_path, monkeypatch, late):
+    """Few are read at once; many as they are needed, which a run that has written the files anew ends in words."""
+    if late:
+        monkeypatch.setattr("litz.results.ledger._FEW_ROWS", 0)
+    path = tmp_path / "run.inp"
+
+    def results_of(first):
+        path.write_text(deck(first))
+        return litz.run(path, output_directory=tmp_path, quiet=True)
+
+    contacts = results_of("").contacts
+    force = contacts["force"].copy()
+    results_of("*CONTACT FILE, FREQUENCY=2\n")
+    assert contacts["force"].tolist() == force.tolist()
+    if late:
+        with pytest.raises(RuntimeError, match="written anew"):
+            contacts["current"]
+    else:
+        assert len(contacts["current"]) == len(force)

@@ -277,6 +277,11 @@ contains
       solver%may_keep = .true.
       call solver%factor(matrix, .true., error)
       call check(.not. solver%has_kept .and. solver%negative_pivots == 0, 'a chain is factored anew')
+      call pattern_from_cliques(0, [1], [integer ::], matrix)
+      call solver%analyse(matrix, error)
+      call solver%factor(matrix, .true., error)
+      call solver%factor(matrix, .true., error)
+      call check(.not. (allocated(error) .or. solver%has_kept), 'no equations are nothing to factor')
    end subroutine an_earlier_factor_is_kept_where_that_pays_alone
 
    subroutine a_negative_diagonal_is_found(factor, name)

@@ -3,6 +3,7 @@
 The text table beside it has the same numbers, and is many times slower to read: a million rows take 20 s.
 """
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import h5py
@@ -13,6 +14,8 @@ from .text_tables import count_rows, old_names_of, read_csv, read_last_column, r
 
 #: What numbers of the column `friction` stand for
 _FRICTION = np.array(["none", "stick", "slip"])
+#: Rows up to which all columns are read at once
+_FEW_ROWS = 50_000
 
 
 def read_ledger(path: Path, steps: np.ndarray, increments: np.ndarray, times: np.ndarray) -> Table:
@@ -81,8 +84,11 @@ def rows_of(ids: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
-def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> LateColumns:
-    """Columns by name, (n_rows) each, read when they are needed; `status`, which is text alone, is that of the text table."""
+def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> Mapping[str, np.ndarray]:
+    """Columns by name, (n_rows) each; `status`, which is text alone, is that of the text table.
+
+    Many rows of a finished run are read when they are needed, if the files are still those of this run.
+    """
     n = len(numbers["step"])
     fields = path.with_suffix(".vtkhdf")
     with h5py.File(fields, "r", locking=False) as file:
@@ -90,6 +96,7 @@ def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> La
         if len(rows) < n:
             raise KeyError(f"{path} has more increments than the file of contacts")
         n_rows = int(rows.sum())
+        late = n_rows > _FEW_ROWS and bool(file["litz"].attrs.get("finished", 0))
         for name in names:
             if name not in (*numbers, "status"):
                 _column(file["VTKHDF/PointData"], name, 0)
@@ -97,7 +104,14 @@ def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> La
     if n_lines > n_rows:
         raise KeyError(f"{path} has more rows than the file of contacts")
 
+    stamps = {file: _stamp(file) for file in (path, fields)}
+
     def read(name: str) -> np.ndarray:
+        for file, stamp in stamps.items():
+            if _stamp(file) != stamp:
+                raise RuntimeError(
+                    f"{file} has been written anew since these contacts were asked for: open the results again"
+                )
         if name == "status":
             texts = np.zeros(n_rows, dtype="U1")
             found = read_last_column(path)[:n_rows]
@@ -107,7 +121,13 @@ def _columns(path: Path, names: list[str], numbers: dict[str, np.ndarray]) -> La
         with h5py.File(fields, "r", locking=False) as file:
             return _column(file["VTKHDF/PointData"], name, n_rows)
 
-    return LateColumns(names, read, n_rows)
+    return LateColumns(names, read, n_rows) if late else {name: read(name) for name in names}
+
+
+def _stamp(path: Path) -> tuple[int, int, int]:
+    """What changes when a file is written anew."""
+    found = path.stat()
+    return found.st_ino, found.st_size, found.st_mtime_ns
 
 
 def _column(fields: h5py.Group, name: str, n_rows: int) -> np.ndarray:
