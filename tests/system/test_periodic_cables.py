@@ -264,3 +264,20 @@ def test_wrapped_bundles_touch_across_the_ends_as_they_do_within(tmp_path):
     assert (on_lines & across).sum() >= 3
     assert (on_lines & ~across).sum() >= 3
     np.testing.assert_allclose(ledger["force"][on_lines], force[on_lines], rtol=1e-6)
+
+
+@pytest.mark.parametrize(("element_length", "n_images"), [(0.75e-3, 2), (0.25e-3, 5)])
+def test_images_reach_beyond_what_presses_in_the_plane_of_an_end(element_length, n_images):
+    """By 2.5 radii: where elements are short, two of them would end within a crossing there."""
+    model = build.strand(
+        [1, 6, 12],
+        radius=[0.52e-3, 0.5e-3, 0.5e-3],
+        lay_length=[36e-3, 72e-3],
+        direction="SZ",
+        length=6e-3,
+        ends="periodic",
+        element_length=element_length,
+        enlarge=True,
+    )
+    images = [np.array(model.groups[f"BEYOND_{side}_LAYER1"].elements) for side in ("PLUS", "MINUS")]
+    assert [len(some) for some in images] == [6 * n_images] * 2

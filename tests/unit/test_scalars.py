@@ -1,6 +1,7 @@
 """What wires can be coloured by: every field of the file, whatever it is called."""
 
 import shutil
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 
 import litz
 from litz.pictures.scene import SceneMaker
-from litz.results.scalars import Scalar, colours_and_limits, find_scalar, scalar_values, scalars
+from litz.results.scalars import Scalar, colours_and_limits, find_scalar, scalar_values, scalars, values_of_wires
 
 OF_WIRES = ("wire", "place_in_wire", "direction_in_wire")
 
@@ -93,3 +94,14 @@ def test_unknown_names_are_answered_with_the_nearest(results):
 def test_values_of_both_signs_have_a_scale_with_zero_in_the_middle(low, high, one_sided, expected):
     colours, limits = colours_and_limits(low, high, one_sided)
     assert (colours, limits) == (expected[0], pytest.approx(expected[1]))
+
+
+@pytest.mark.parametrize(("at_nodes", "expected"), [(True, [0, 1, 2]), (False, [0, 1])])
+def test_ranges_are_those_of_wires_without_images_beyond_the_ends_of_a_cell(at_nodes, expected):
+    """These have next to no force, and not the field of a magnet."""
+    elements = np.array([[0, 1], [1, 2], [2, 3], [3, 4]])
+    scalar, values = Scalar("x", ("x",), None, "", at_nodes, "x"), np.arange(5 if at_nodes else 4)
+    cell = SimpleNamespace(elements=elements, images=np.array([False, False, True, True]))
+    assert values_of_wires(cell, scalar, values).tolist() == expected
+    whole = SimpleNamespace(elements=elements, images=np.zeros(4, dtype=bool))
+    assert values_of_wires(whole, scalar, values) is values

@@ -12,8 +12,9 @@ from ..model import Circular, Interaction, Linear, Material, Model, WireGroup
 from ..model.wires import Wire
 from ..wires import BEYOND
 
-#: Elements of each wire beyond each end
-_ELEMENTS = 2
+#: Elements of each wire beyond each end at least, and their length at least over the radius: contacts in the plane of an end,
+#: and what they press in beside them, are not those of the end of a wire
+_ELEMENTS, _REACH = 2, 2.5
 #: Their stiffness, and that of contacts which others stand for, over those of the wires
 SLENDER, _FAINT = 1e-5, 1e-6
 #: Their mass over that of the wires
@@ -124,9 +125,13 @@ def _images(model: Model, passage: Passage, stretch: str, sense: int) -> NDArray
     """Nodes beyond an end of a wire that move as those that they are images of; pairs of nodes of their elements (n, 2)."""
     end, start = passage.wire.nodes[-1], passage.following.nodes[0]
     if sense > 0:
-        joint, tied, imaged = end, start, list(passage.following.nodes[1 : _ELEMENTS + 1])
+        joint, tied, along = end, start, list(passage.following.nodes[1:])
     else:
-        joint, tied, imaged = start, end, list(passage.wire.nodes[-2 : -_ELEMENTS - 2 : -1])
+        joint, tied, along = start, end, list(passage.wire.nodes[-2::-1])
+    points = model.x[[node - 1 for node in (tied, *along)]]
+    ways = np.linalg.norm(np.diff(points, axis=0), axis=1).cumsum()
+    reaching = int(np.searchsorted(ways, _REACH * passage.group.radius)) + 1
+    imaged = along[: max(_ELEMENTS, reaching)]
     numbers = [joint, *model.nodes(model.x[[node - 1 for node in imaged]] + model.x[joint - 1] - model.x[tied - 1])]
     model.images |= dict(zip(numbers[1:], imaged, strict=True))
     for number, node in zip(numbers[1:], imaged, strict=True):

@@ -110,10 +110,11 @@ def strand(
     With periodic ends each wire goes on in one that begins where it ends, a part of a turn further. Lay lengths are changed, by
     10 % at most, so that this is so, which the comments of the deck say. Displacements and rotations of both ends are alike
     but for a stretch along z, the displacement of the node set STRETCH (`model.press(-d)` stretches by d; without it the cell is
-    free to); potentials are not. Where wires cross, of several layers or stages, they go on by two elements beyond both ends, the
-    groups BEYOND_PLUS_LAYER1, BEYOND_MINUS_LAYER1, ..., as images of those that they go on in: so contacts near the ends are
-    those of wires without ends. These elements have next to no stiffness and no weight. For currents they are a part of the wires
-    that they go on from: contacts across the upper end belong to these, as `Results` has them.
+    free to); potentials are not. Where wires cross, of several layers or stages, they go on beyond both ends by two elements,
+    and 2.5 radii at least, the groups BEYOND_PLUS_LAYER1, BEYOND_MINUS_LAYER1, ..., as images of those that they go on in: so
+    contacts near the ends are those of wires without ends. These elements have next to no stiffness and no weight. For
+    currents they are a part of the wires that they go on from: contacts across the upper end belong to these, as `Results`
+    has them.
 
     Examples
     --------

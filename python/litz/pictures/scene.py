@@ -8,7 +8,14 @@ import numpy as np
 
 from ..base.quantities import engineering, label
 from ..results import Results
-from ..results.scalars import colours_and_limits, default_scalar, end_values, find_scalar, scalar_values
+from ..results.scalars import (
+    colours_and_limits,
+    default_scalar,
+    end_values,
+    find_scalar,
+    scalar_values,
+    values_of_wires,
+)
 from ..results.surface_patches import surface_patches
 from ..wires.chains import Wire
 from ..wires.curves import element_curves, hermite
@@ -151,7 +158,10 @@ class SceneMaker:
         """What the colours mean, and their range."""
         results = self._results
         self._scalar = find_scalar(results, field or default_scalar(results, increments[-1]))
-        values = [scalar_values(results, self._scalar, increment) for increment in increments]
+        values = [
+            values_of_wires(results, self._scalar, scalar_values(results, self._scalar, increment))
+            for increment in increments
+        ]
         lowest, highest = min(np.nanmin(one) for one in values), max(np.nanmax(one) for one in values)
         self._factor, unit = engineering(np.array([lowest, highest]), self._scalar.unit)
         self._title = label(self._scalar.text, unit)

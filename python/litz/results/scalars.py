@@ -124,6 +124,14 @@ def scalar_values(results: ResultFile, scalar: Scalar, increment: int) -> np.nda
     return scalar.of([scalar_field(results, field, increment) for field in scalar.fields])
 
 
+def values_of_wires(results: ResultFile, scalar: Scalar, values: np.ndarray) -> np.ndarray:
+    """Those at wires, of values at all nodes or elements: ranges are not those of images beyond the ends of a cell."""
+    if not results.images.any():
+        return values
+    within = ~results.images
+    return values[np.unique(results.elements[within])] if scalar.at_nodes else values[within]
+
+
 def scalar_field(results: ResultFile, name: str, increment: int) -> np.ndarray:
     """A field of `Scalar.fields` at an increment, (n) or (n, 3): one of the file, or Joule heat per length [W/m].
 

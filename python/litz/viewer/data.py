@@ -17,7 +17,14 @@ from ..results.contact_history import with_clean_currents
 from ..results.contact_increments import NOT_WRITTEN_NOTE
 from ..results.contact_places import ContactPlaces, contact_places
 from ..results.contact_zones import contact_zones
-from ..results.scalars import Scalar, colours_and_limits, default_scalar, scalar_field, scalars
+from ..results.scalars import (
+    Scalar,
+    colours_and_limits,
+    default_scalar,
+    scalar_field,
+    scalars,
+    values_of_wires,
+)
 from ..results.surface_patches import Patch, surface_patches
 from ..results.zone_lines import ZoneLines, largest_force_per_length, zone_lines
 from ..wires.curves import element_curves
@@ -267,7 +274,7 @@ class WebData:
         for index in self.increments:
             values = {field: scalar_field(self._results, field, index) for field in fields}
             for name, scalar in known.items():
-                one = scalar.of([values[field] for field in scalar.fields])
+                one = values_of_wires(self._results, scalar, scalar.of([values[field] for field in scalar.fields]))
                 low, high = limits[name]
                 limits[name] = (np.fmin(low, np.nanmin(one)), np.fmax(high, np.nanmax(one)))
         return {
