@@ -10,7 +10,8 @@ module litz_contact_term
    use litz_contact_points, only: contact_set_t, contact_point_t
    use litz_contact_descent, only: descent_fraction
    use litz_coupled_pairs, only: couple_pairs, nodes_of_coupled
-   use litz_contact_step, only: contact_fraction => bearable_fraction, predict_contacts
+   use litz_contact_step, only: contact_fraction => bearable_fraction, predict_contacts, &
+      suppose_contacts, n_changed
    use litz_contact_tangents, only: follow_centre_line
    use litz_contact_temperatures, only: find_temperature_slopes, add_temperatures
    use litz_domain, only: domain_t
@@ -18,7 +19,7 @@ module litz_contact_term
    use litz_fields, only: field_displacement, field_rotation, field_potential, first_slot, last_slot, group_transport, &
       potential_slots
    use litz_hot_places, only: melted
-   use litz_line_points, only: locate_line_points, add_line_points
+   use litz_line_points, only: locate_line_points, add_line_points, give_rows
    use litz_line_shares, only: share_crossings, renew_shares
    use litz_model, only: step_t
    use litz_normal_forces, only: apply_normal_law
@@ -41,6 +42,8 @@ module litz_contact_term
    !> Overlaps are known when no linear step has missed one by more than this part of the largest, and forces nearly
    !> balance: the next step then changes them by its square
    real(dp), parameter :: missed_overlap = 0.02_dp
+   !> Part of the contacts that a step may close and open without being taken anew
+   real(dp), parameter :: few_contacts = 0.01_dp
 
    type, extends(term_t) :: contact_term_t
       !> The set of contacts, which the checks of a converged state, restart files and results read, too
@@ -58,6 +61,7 @@ module litz_contact_term
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
       procedure :: foresee
+      procedure :: suppose
       procedure :: bearable_fraction
       procedure :: predict
       procedure :: anticipate
@@ -299,6 +303,31 @@ contains
          call apply_normal_law(domain%model, domain%elements, contact%line_points(n_before + 1:))
       end associate
    end subroutine foresee
+
+   !> Contacts that the step closes resist it, and those that it opens do not.
+   subroutine suppose(self, domain, correction, has_changed)
+      class(contact_term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Linear step of the unknowns (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+      logical, intent(inout) :: has_changed
+      logical :: has_grown
+
+      associate (contact => self%contact, model => domain%model, elements => domain%elements)
+         call self%foresee(domain, correction)
+         if (n_changed(model, correction, contact%points) + n_changed(model, correction, contact%line_points) <= &
+            few_contacts*(count(contact%points%active) + count(contact%line_points%active))) return
+         has_changed = .true.
+         call suppose_contacts(model, correction, contact%points)
+         call suppose_contacts(model, correction, contact%line_points)
+         call give_rows(model, domain%wires, elements, domain%iterate%x, domain%iterate%rotation, contact%line_points)
+         call apply_normal_law(model, elements, contact%points)
+         call apply_normal_law(model, elements, contact%line_points)
+         call couple_pairs(contact, has_grown)
+         domain%pattern_changed = domain%pattern_changed .or. has_grown
+         call domain%timing%lap(phase_contact)
+      end associate
+   end subroutine suppose
 
    real(dp) function bearable_fraction(self, domain, step, correction)
       class(contact_term_t), intent(in) :: self

@@ -24,7 +24,7 @@ module litz_line_points
    use litz_wires, only: wires_t
    implicit none
    private
-   public :: locate_line_points, add_line_points
+   public :: locate_line_points, add_line_points, give_rows
 
 contains
 
@@ -273,16 +273,13 @@ contains
       real(dp) :: xe(3, 4), t(3, 4), length(2)
       integer :: info, unused_crossing
 
+      point%foot_at_end = foot%status == foot_at_end
       associate (radius => elements%radius([point%element_bar, point%element]))
          call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
-         call line_kinematics(xe, t, length, axis_hermite, radius, point%xi_bar, point%xi, &
-            foot%status == foot_at_end, point%normal_before, point%kinematics, info)
-         call add_taper(elements%taper([point%element_bar, point%element]), point%kinematics)
-         call add_balls(wires, elements, point)
+         call set_kinematics(wires, elements, xe, t, length, point, info)
          point%gap = point%kinematics%gap + clearance_of(point%fit, contact%clearance(point%pair))
          point%regular = info == kinematics_ok .and. point%kinematics%gap < skin/2*sum(radius)
       end associate
-      point%foot_at_end = foot%status == foot_at_end
       call slide_along_lap(wires, elements, point)
       if (.not. point%regular) return
       if (is_new .or. has_grown(point)) call share_line_point(wires, elements, contact, sorted, xe, t, length, point, &
@@ -291,6 +288,45 @@ contains
          point%kinematics), point)
       if (.not. may_matter(point)) deallocate (point%kinematics%rows)
    end subroutine set_geometry
+
+   pure subroutine set_kinematics(wires, elements, xe, t, length, point, info)
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Nodal positions [m] and unit tangents (3, 4), reference lengths (2) [m]: element of the foot first
+      real(dp), intent(in) :: xe(3, 4), t(3, 4), length(2)
+      type(contact_point_t), intent(inout) :: point
+      !> One of `kinematics_...`
+      integer, intent(out) :: info
+
+      associate (pair => [point%element_bar, point%element])
+         call line_kinematics(xe, t, length, axis_hermite, elements%radius(pair), point%xi_bar, point%xi, &
+            point%foot_at_end, point%normal_before, point%kinematics, info)
+         call add_taper(elements%taper(pair), point%kinematics)
+      end associate
+      call add_balls(wires, elements, point)
+   end subroutine set_kinematics
+
+   !> Places that were open and are supposed to press take part in the tangent.
+   subroutine give_rows(model, wires, elements, x, rotation, points)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      type(contact_point_t), intent(inout) :: points(:)
+      real(dp) :: xe(3, 4), t(3, 4), length(2)
+      integer :: i, unused_info
+
+      !$omp parallel do schedule(static) private(xe, t, length, unused_info) if (size(points) >= worth_threads)
+      do i = 1, size(points)
+         associate (point => points(i))
+            if (allocated(point%kinematics%rows) .or. .not. may_matter(point)) cycle
+            call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
+            call set_kinematics(wires, elements, xe, t, length, point, unused_info)
+         end associate
+      end do
+      !$omp end parallel do
+   end subroutine give_rows
 
    !> A place presses or conducts, or was to press as the last step has predicted: most places are near and open.
    pure logical function may_matter(point)

@@ -9,7 +9,7 @@ module litz_assembly
    use litz_timing, only: phase_assembly, phase_analyse
    implicit none
    private
-   public :: evaluate
+   public :: evaluate, assemble
 
 contains
 
@@ -21,7 +21,6 @@ contains
       !> Since the last call only potentials, and temperatures that the mechanics does not see, have changed; absent:
       !> anything may have
       logical, intent(in), optional :: motions_stand
-      integer :: i
 
       problem%motions_stand = .false.
       if (present(motions_stand)) problem%motions_stand = motions_stand
@@ -29,6 +28,16 @@ contains
          problem%mechanical_temperature(), problem%elements)
       if (.not. problem%motions_stand) call locate(problem, error)
       if (allocated(error)) return
+      call assemble(problem, error)
+   end subroutine evaluate
+
+   !> Forces and tangent of the cells that have been found.
+   subroutine assemble(problem, error)
+      type(problem_t), intent(inout) :: problem
+      !> More entries than can be counted, or input that cannot be evaluated
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
       if (problem%pattern_changed) call rebuild_pattern(problem, error)
       if (allocated(error)) return
       call problem%clear_system()
@@ -38,7 +47,7 @@ contains
       end do
       call ground_floating_parts(problem, error)
       call problem%timing%lap(phase_assembly)
-   end subroutine evaluate
+   end subroutine assemble
 
    !> Find the cells of all terms.
    subroutine locate(problem, error)

@@ -3,7 +3,7 @@ module litz_negative_pivots
    use litz_assembly, only: evaluate
    use litz_errors, only: error_t
    use litz_fields, only: group_mechanical
-   use litz_newton, only: factor_tangent
+   use litz_linear_step, only: factor_tangent
    use litz_outcome, only: outcome_t
    use litz_problem, only: problem_t
    use litz_timing, only: phase_factor

@@ -13,9 +13,9 @@ module litz_newton
    use litz_errors, only: error_t
    use litz_fields, only: field_displacement, n_fields, n_slots, first_slot, last_slot, last_slot_of_group, &
       first_slot_of_group, n_groups, group_transport, temperature_slots
-   use litz_full_step, only: factor_full, solve_full
    use litz_grounding, only: describe_fed_part
    use litz_group_update, only: note_distance
+   use litz_linear_step, only: solve_step, repeat_step
    use litz_loading, only: prescribed_increment
    use litz_lost_contacts, only: find_lost_contacts
    use litz_model, only: step_t
@@ -30,7 +30,7 @@ module litz_newton
    use litz_turned_ends, only: turned_ends_t, most_turned_ends
    implicit none
    private
-   public :: solve_increment, factor_tangent, start_iterate
+   public :: solve_increment, start_iterate
 
    !> Iterations at most, in multiples of I_C, where contacts open and close as predicted all the way
    integer, parameter :: max_iterations = 4
@@ -138,6 +138,14 @@ contains
             return
          end if
          call note_solve(problem, keep, outcome)
+         if (outcome%iterations == 1 .and. .not. only_change) then
+            call repeat_step(problem, outcome%last%allowed, correction, solver_error, error)
+            if (allocated(error)) return
+            if (allocated(solver_error)) then
+               call give_up(outcome, cause_singular, solver_error%message)
+               return
+            end if
+         end if
          call update(problem, step, correction, outcome%last, eta)
          call outcome%note_fraction(eta)
       end do
@@ -337,56 +345,6 @@ contains
       only_contacts_changed = all(report%contacts_active /= numbers) .and. report%contacts_new == 0 .and. &
          report%contacts_lost == 0
    end function only_contacts_changed
-
-   !> Factor and solve for the correction of all unknowns (n_slots, n_nodes), prescribed ones included.
-   subroutine solve_step(problem, keep, is_near, allowed, only_change, correction, error)
-      type(problem_t), intent(inout) :: problem
-      !> The tangent of an earlier iteration will do
-      logical, intent(in) :: keep
-      !> The tangent is near the last one that was factored
-      logical, intent(in) :: is_near
-      !> Residuals of the fields that are allowed (n_fields)
-      real(dp), intent(in) :: allowed(:)
-      !> For what the increment has changed alone, without what the last one has left over
-      logical, intent(in) :: only_change
-      !> Linear step of all unknowns (n_slots, n_nodes)
-      real(dp), intent(out) :: correction(:, :)
-      type(error_t), allocatable, intent(out) :: error
-      real(dp) :: rhs(n_slots, problem%model%n_nodes)
-
-      call problem%timing%lap(phase_update)
-      if (.not. keep) call factor_tangent(problem, error, is_near)
-      call problem%timing%lap(phase_factor)
-      if (allocated(error)) return
-      correction = problem%iterate%prescribed
-      associate (forces => problem%forces)
-         rhs = problem%loading%load - forces%internal - forces%iteration - forces%prescribed
-      end associate
-      if (only_change) rhs = rhs - left_before(problem)
-      if (problem%coupled_step) then
-         call solve_full(problem, allowed, rhs, correction, error)
-      else
-         call problem%scheme%solve(problem%matrix, problem%equations, rhs, correction, error)
-      end if
-      problem%factor_age = merge(problem%factor_age + 1, 0, keep .or. problem%scheme%has_kept)
-      call problem%iterate%carry(correction)
-      call problem%timing%lap(phase_solve)
-   end subroutine solve_step
-
-   !> Factor the tangent, or make ready to solve with it by an earlier factor.
-   subroutine factor_tangent(problem, error, is_near)
-      type(problem_t), intent(inout) :: problem
-      type(error_t), allocatable, intent(out) :: error
-      !> The last one was near it; default: no
-      logical, intent(in), optional :: is_near
-
-      if (problem%coupled_step) then
-         call factor_full(problem, error)
-      else
-         call problem%scheme%factor(problem%matrix, error, is_near)
-      end if
-      problem%has_factor = all(problem%matrix%symmetric) .and. .not. allocated(error)
-   end subroutine factor_tangent
 
    !> `q <- q + eta dq`; terms take their own unknowns along. Prescribed motion is taken whole.
    !> Source: theory section 9.

@@ -46,6 +46,7 @@ module litz_term
       procedure :: has_mutual_tangent
       procedure :: add_mutual_tangent
       procedure :: foresee
+      procedure :: suppose
       procedure :: bearable_fraction
       procedure :: shorten
       procedure :: follow
@@ -203,6 +204,17 @@ contains
       !> Linear step of the unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: correction(:, :)
    end subroutine foresee
+
+   !> One-sided conditions that a linear step changes are supposed to be as it has them, where the iterate is, if so many
+   !> are that the step is worth taking anew.
+   subroutine suppose(self, domain, correction, has_changed)
+      class(term_t), intent(inout) :: self
+      type(domain_t), intent(inout) :: domain
+      !> Linear step of the unknowns (n_slots, n_nodes)
+      real(dp), intent(in) :: correction(:, :)
+      !> Forces and tangent are to be assembled again
+      logical, intent(inout) :: has_changed
+   end subroutine suppose
 
    !> The part of a step, at most 1, that the linearisation of the term is good for.
    real(dp) function bearable_fraction(self, domain, step, correction)
