@@ -12,6 +12,7 @@ module litz_contact_descent
    use litz_contact_points, only: contact_point_t
    use litz_fields, only: motion_slots
    use litz_model, only: model_t
+   use litz_parallel, only: worth_threads
    use litz_place_forces, only: place_law_t, law_of_place
    implicit none
    private
@@ -28,7 +29,7 @@ module litz_contact_descent
 contains
 
    !> The fraction of a step, at most 1, at which the energy is least.
-   pure real(dp) function descent_fraction(model, points, residual, step) result(eta)
+   real(dp) function descent_fraction(model, points, residual, step) result(eta)
       type(model_t), intent(in) :: model
       !> Of line contacts
       type(contact_point_t), intent(in) :: points(:)
@@ -44,6 +45,7 @@ contains
       work = sum(residual(motion_slots(1):motion_slots(2), :)*step(motion_slots(1):motion_slots(2), :))      ! S
       if (.not. work > 0) return
       acts = .false.
+      !$omp parallel do schedule(static) if (size(points) >= worth_threads)
       do i = 1, size(points)
          associate (point => points(i))
             if (.not. point%weight > 0) cycle
@@ -55,13 +57,14 @@ contains
             acts(i) = min(gap(i), gap(i) + dgap(i)) < 0 .or. abs(point%mixed_force) > 0 .or. abs(point%stiffness) > 0
          end associate
       end do
+      !$omp end parallel do
       if (slope(1.0_dp) <= small_slope*work) return
       eta = max(zero_of_slope(), least_fraction)
 
    contains
 
       !> By chords; an end that stays twice counts half (the Illinois rule). The slope grows with the fraction.
-      pure real(dp) function zero_of_slope() result(zero)
+      real(dp) function zero_of_slope() result(zero)
          real(dp) :: lower, upper, of_lower, of_upper, here
          integer :: n, moved
 
@@ -91,22 +94,26 @@ contains
       end function zero_of_slope
 
       !> Of the energy, at a fraction of the step [J].
-      pure real(dp) function slope(fraction)
+      real(dp) function slope(fraction)
          !> [-]
          real(dp), intent(in) :: fraction
          type(place_law_t) :: law
+         !> Of each point: added in their order, so that the sum is the same with any number of threads
+         real(dp) :: part(size(points))
          integer :: k
 
-         slope = -(1 - fraction)*work
+         part = 0
+         !$omp parallel do schedule(static) private(law) if (size(points) >= worth_threads)
          do k = 1, size(points)
+            if (.not. acts(k)) cycle
             associate (point => points(k))
-               if (.not. acts(k)) cycle
                law = law_of_place(point, -(gap(k) + fraction*dgap(k)), model%interactions( &
                   model%contact_pairs(point%pair)%interaction)%normal%line_penalty())
-               slope = slope + (point%mixed_force - law%force &
-                  - fraction*point%stiffness*dgap(k))*dgap(k)
+               part(k) = (point%mixed_force - law%force - fraction*point%stiffness*dgap(k))*dgap(k)
             end associate
          end do
+         !$omp end parallel do
+         slope = -(1 - fraction)*work + sum(part)
       end function slope
 
    end function descent_fraction

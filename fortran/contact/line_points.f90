@@ -79,6 +79,7 @@ contains
       feet = pack(feet, are_new(wires, elements, contact, feet))
       call make_points(model, wires, elements, contact, x, rotation, feet, contact%line_points(:0), points)
       call keep_regular(points)
+      if (size(points) == 0) return
       allocate (all_points(n_before + size(points)))
       all_points(:n_before) = contact%line_points
       all_points(n_before + 1:) = points
@@ -157,9 +158,11 @@ contains
       integer :: i
 
       allocate (points(size(feet)))
+      !$omp parallel do schedule(static) if (size(feet) >= worth_threads)
       do i = 1, size(feet)
          call place_point(wires, elements, contact, feet(i), points(i))
       end do
+      !$omp end parallel do
       call match_line_points(wires, size(contact%places%xi), old, points, newest)
       call match_line_points(wires, size(contact%places%xi), contact%converged_line_points, points, converged)
       points%predecessor = converged
@@ -211,7 +214,7 @@ contains
 
    !> Which of some earlier points each point continues: that of the same place with the nearest foot on the same wire,
    !> and on the same turn of it; 0: none.
-   pure subroutine match_line_points(wires, n_places, earlier, points, origin)
+   subroutine match_line_points(wires, n_places, earlier, points, origin)
       type(wires_t), intent(in) :: wires
       !> Places on all wires
       integer, intent(in) :: n_places
@@ -225,6 +228,7 @@ contains
       allocate (origin(size(points)), source=0)
       if (size(earlier) == 0 .or. size(points) == 0) return
       by_place = chain_by_place(n_places, earlier)
+      !$omp parallel do schedule(static) private(distance, nearest, k) if (size(points) >= worth_threads)
       do i = 1, size(points)
          nearest = huge(nearest)
          k = by_place%last(points(i)%line_place)
@@ -239,6 +243,7 @@ contains
             k = by_place%before(k)
          end do
       end do
+      !$omp end parallel do
    end subroutine match_line_points
 
    !> A foot on the wire of its own place has not slid by half of the way between the two: it is not on another turn.

@@ -22,9 +22,11 @@ module litz_line_shares
    use litz_line_kinematics, only: line_profile_t, line_profile
    use litz_line_laps, only: find_lap, cell_at_lap, lap_at_crossing, bound_by_lap, find_round_end
    use litz_line_places, only: line_places_t, resolved_at_ends, resolved_by_places, spacing_of_places
+   use litz_long_overlaps, only: find_long_overlaps
    use litz_model, only: model_t
    use litz_normal_forces, only: settle_ends, wires_of
    use litz_normal_law, only: normal_law_t
+   use litz_parallel, only: worth_threads
    use litz_settled_angles, only: settle_angle
    use litz_share_changes, only: change_of_cut, change_of_cylinders, change_of_energies, change_of_law
    use litz_shares_at_ends, only: own_t, share_end, share_on_legs, share_along, share_at_crossing, half_pass, &
@@ -44,15 +46,9 @@ module litz_line_shares
    !> A change of the force by how the wires are bent matters this much more than one of a share
    real(dp), parameter :: bends_matter = 1000
 
-   !> Half lengths of a lens from its crossing where it ends, and where what overlaps is none of it: the crest of a wave
-   !> that closes altogether (see litz_crossings_of_wires)
-   real(dp), parameter :: lens_ends = 1, goes_on = pi/2
    !> Part of the curvature of a lens from which on a place is in it: half of what is left of it at the end of the
    !> overlap of a wave, as that begins to be one with the next
    real(dp), parameter :: bends_as_lens = 0.25_dp
-   !> Part of the overlap of a crossing that makes the lens part of a longer overlap where it is left beyond the lens: a
-   !> tenth of its force is
-   real(dp), parameter :: counts_beyond = 0.25_dp
 
 contains
 
@@ -218,9 +214,8 @@ contains
       real(dp), intent(out) :: largest_change
       type(points_by_place_t) :: by_place
       type(crossings_of_wires_t) :: sorted
-      real(dp) :: xe(3, 4), t(3, 4), length(2), before
       type(contact_point_t) :: earlier
-      integer :: i, crossing
+      integer :: i
 
       largest_change = 0
       sorted = sort_crossings(wires, contact%points)
@@ -240,16 +235,7 @@ contains
             if (serves_lines(model, point%pair)) call settle_growth(law, wires_of(model, elements, point), point)
          end associate
       end do
-      do i = 1, size(contact%line_points)
-         associate (point => contact%line_points(i))
-            before = point%weight
-            call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
-            call share_line_point(wires, elements, contact, sorted, xe, t, length, point, crossing)
-            if (point%lens_has_dent) call add_torque_of_place(model, elements, point, contact%points(crossing))
-            if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before)/contact%places%length( &
-               point%line_place))
-         end associate
-      end do
+      call renew_places(model, wires, elements, x, rotation, sorted, contact, largest_change)
       if (size(contact%line_points) > 0) by_place = chain_by_place(size(contact%places%xi), contact%line_points)
       do i = 1, size(contact%points)
          associate (point => contact%points(i))
@@ -273,6 +259,39 @@ contains
          end associate
       end do
    end subroutine renew_shares
+
+   !> The same of the points of line contacts; in which torques of dents count at their crossings.
+   subroutine renew_places(model, wires, elements, x, rotation, sorted, contact, largest_change)
+      type(model_t), intent(in) :: model
+      type(wires_t), intent(in) :: wires
+      type(elements_t), intent(in) :: elements
+      !> Positions (3, n_nodes) [m] and rotations (3, 3, n_nodes)
+      real(dp), intent(in) :: x(:, :), rotation(:, :, :)
+      !> The crossings of the set
+      type(crossings_of_wires_t), intent(in) :: sorted
+      type(contact_set_t), intent(inout) :: contact
+      !> Largest change of any share so far [-]
+      real(dp), intent(inout) :: largest_change
+      real(dp) :: xe(3, 4), t(3, 4), length(2), before
+      integer :: i, crossing(size(contact%line_points))
+
+      !$omp parallel do schedule(static) private(before, xe, t, length) reduction(max:largest_change) &
+      !$omp if (size(contact%line_points) >= worth_threads)
+      do i = 1, size(contact%line_points)
+         associate (point => contact%line_points(i))
+            before = point%weight
+            call pair_geometry(model, wires, elements, point%element_bar, point%element, x, rotation, xe, t, length)
+            call share_line_point(wires, elements, contact, sorted, xe, t, length, point, crossing(i))
+            if (point%gap < 0) largest_change = max(largest_change, abs(point%weight - before)/contact%places%length( &
+               point%line_place))
+         end associate
+      end do
+      !$omp end parallel do
+      do i = 1, size(contact%line_points)
+         if (contact%line_points(i)%lens_has_dent) call add_torque_of_place(model, elements, contact%line_points(i), &
+            contact%points(crossing(i)))
+      end do
+   end subroutine renew_places
 
    !> What the point carries: nothing where the overlap that it lies in is short, which is the matter of a crossing, and
    !> nothing where one wire runs into the other.
@@ -353,50 +372,6 @@ contains
          if (.not. any(quality > least_quality)) point%law_status = law_too_curved
       end associate
    end subroutine share_line_point
-
-   !> Crossings beyond whose lens the places next to it still overlap, or whose lens reaches into that of another one:
-   !> gradually, as the lens and the overlaps beyond it change.
-   subroutine find_long_overlaps(wires, elements, sorted, contact)
-      type(wires_t), intent(in) :: wires
-      type(elements_t), intent(in) :: elements
-      !> The crossings of the set
-      type(crossings_of_wires_t), intent(in) :: sorted
-      type(contact_set_t), intent(inout) :: contact
-      !> aW [m]; 0: no lens (n_points)
-      real(dp) :: half_length(size(contact%points))
-      real(dp) :: reach, distance, length
-      integer :: i, nearest, legs(2)
-
-      half_length = 0
-      do i = 1, size(contact%points)
-         associate (crossing => contact%points(i))
-            if (crossing%gap < 0 .and. has_lens(crossing)) half_length(i) = half_length_of(crossing, huge(distance))
-         end associate
-      end do
-      contact%points%long_share = 0
-      call sorted%mark_common_lenses(wires, half_length, contact%points)
-      do i = 1, size(contact%line_points)
-         associate (point => contact%line_points(i), pair => [contact%line_points(i)%element_bar, &
-            contact%line_points(i)%element])
-            if (.not. point%gap < 0) cycle
-            reach = sum(elements%length(pair))
-            call sorted%find_nearest(wires, reach, reach, point, nearest, distance, legs)
-            if (nearest == 0) cycle
-            if (.not. half_length(nearest) > 0) cycle
-            length = half_length(nearest)
-            associate (crossing => contact%points(nearest))
-               ! what goes on beyond a joint is as long as the leg there
-               if (any(legs > 0) .and. .not. any(crossing%held)) cycle
-               if (any(crossing%held)) length = half_length_on(crossing, crossing%legs(legs(1)), &
-                  crossing%legs(legs(2)), huge(length))
-               ! no overlap is shorter than that of round ends
-               length = max(length, sqrt(-2*crossing%kinematics%distance*crossing%gap))
-               crossing%long_share = max(crossing%long_share, smooth_step((distance/length - lens_ends) &
-                  /(goes_on - lens_ends))*smooth_step(point%gap/(counts_beyond*crossing%gap)))
-            end associate
-         end associate
-      end do
-   end subroutine find_long_overlaps
 
    !> What the line carries of a crossing, and how much the section of the wires counts in its law: both by the length
    !> of the lens.
