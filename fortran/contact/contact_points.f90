@@ -4,7 +4,7 @@ module litz_contact_points
    use litz_bent_wires, only: bends_t
    use litz_contact_history, only: contact_history_t, left_dents_t
    use litz_contact_bending, only: bends_seen_t
-   use litz_contact_kinematics, only: contact_kinematics_t, n_motions
+   use litz_contact_kinematics, only: contact_kinematics_t
    use litz_contact_turning, only: turning_t
    use litz_contact_side, only: crossing_t, crossing_of
    use litz_cut_lens, only: cut_lens_t
@@ -175,7 +175,7 @@ module litz_contact_points
       !> Overlap beyond which wires that have yielded touch in their dent [m]; what their contact is at the present gap,
       !> of which all is 0 where there is no force; what this increment has dissipated by yielding, and by shares [J]
       real(dp) :: dent_depth = 0
-      type(yielding_state_t) :: yielding
+      type(yielding_state_t), allocatable :: yielding
       real(dp) :: yielded = 0, settled = 0
       !> Force whose dent wires that yield feel at the present angle: of a crossing [N], of a place per length [N/m]
       real(dp) :: felt_force = 0
@@ -184,8 +184,8 @@ module litz_contact_points
       real(dp) :: deepest = 0, lens_depth = 0
       !> Force of wires that yield, whatever its share: of a crossing [N], of a point of a line per length [N/m]
       real(dp) :: yielding_force = 0
-      !> Law per length of wires that yield, of a point of a line contact
-      type(yielding_place_t) :: yielding_place
+      !> Law per length, of a point of a line contact
+      type(yielding_place_t), allocatable :: yielding_place
       !> Which of the dents of earlier contacts it has found again; 0: none
       integer :: found_dent = 0
       !> In contact as the iteration takes it (prediction) and as it is
@@ -217,8 +217,9 @@ module litz_contact_points
       !> Traction at the present place
       type(friction_law_t) :: friction
       !> How its dissipation in this increment changes with the motions of the nodes (24) [N, N m], and with the normal
-      !> force [m]
-      real(dp) :: dfriction_work(n_motions) = 0, dfriction_work_dforce = 0
+      !> force [m]: of one that presses with friction
+      real(dp), allocatable :: dfriction_work(:)
+      real(dp) :: dfriction_work_dforce = 0
       !> What ploughing has dissipated in this increment [J], and its part of the limit of friction in the next one [-]
       real(dp) :: ploughed = 0, ploughing = 0
       !> Of a contact that presses with friction, or has in this increment
@@ -226,11 +227,12 @@ module litz_contact_points
       !> rho L0/(4 A) of both elements, 0 where the voltage is not corrected [ohm], and heat in them that the linear
       !> voltage misses [W] (theory section 7)
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
-      !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: the law of the spot knows none
+      !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: none is known
       real(dp) :: constriction(2) = 0
-      !> How the conductance of the spot changes with the motions of its nodes (24) [S/m, S/rad], with the gap [S/m],
-      !> and how much it would grow with ln(F) [S]
-      real(dp) :: dconductance(n_motions) = 0, dconductance_dgap = 0, dconductance_dln_force = 0
+      !> How the conductance of the spot changes with the motions of its nodes (24) [S/m, S/rad]: of one that conducts;
+      !> with the gap [S/m], and how much it would grow with ln(F) [S]
+      real(dp), allocatable :: dconductance(:)
+      real(dp) :: dconductance_dgap = 0, dconductance_dln_force = 0
       !> What it has more heat than it would have if its strip were the only one on its wires [W]
       real(dp) :: heat_of_others = 0
    end type contact_point_t

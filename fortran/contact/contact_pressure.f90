@@ -48,11 +48,13 @@ contains
       type(wire_pair_t), intent(in) :: pair
       type(contact_point_t), intent(in) :: point
 
-      pressure = point%yielding%pressure
+      pressure = 0
       if (point%line_place > 0) then
          pressure = pressure_of_place(point%yielding_place, -point%gap)
       else if (is_lens(law, point)) then
          pressure = pressure_of_lens(lens_of_wires(law, pair, point), -point%gap)
+      else if (allocated(point%yielding)) then
+         pressure = point%yielding%pressure
       end if
    end function yielded_pressure
 

@@ -128,6 +128,8 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       if (allocated(point%kinematics%rows)) deallocate (point%kinematics%rows)
+      if (allocated(point%dconductance)) deallocate (point%dconductance)
+      if (allocated(point%dfriction_work)) deallocate (point%dfriction_work)
       if (allocated(point%friction_iteration)) deallocate (point%friction_iteration)
    end subroutine forget_iteration
 
@@ -467,6 +469,7 @@ contains
          call keep_left_dents(domain%wires, contact)
          contact%converged = contact%points
          contact%converged_line_points = contact%line_points
+         call forget_iteration(contact%converged)
          call forget_iteration(contact%converged_line_points)
       end associate
    end subroutine accept

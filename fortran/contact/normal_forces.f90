@@ -460,7 +460,7 @@ contains
       type(lap_force_t) :: along
 
       law = law_of_place(point, -point%gap, penalty)
-      if (point%yielding_place%yields) call follow_place(point)
+      if (allocated(point%yielding_place)) call follow_place(point)
       point%at_gap = force_of_gap_t(force=law%force, dforce_dgap=-law%stiffness, energy=law%energy)
       point%lap%round_end%force = law%of_end%force
       if (point%lens%near(1) .and. point%closed) then

@@ -193,7 +193,6 @@ contains
       type(surface_cell_t), intent(in) :: cell
       type(surface_point_t), intent(in) :: point
 
-      place%yields = .true.
       place%strip = cell%yielding%strip
       if (point%place > 0) place%dent = cell%yielding%dent(point%place)
    end function place_of_point

@@ -51,7 +51,7 @@ contains
       real(dp) :: density, change, by_overlap
 
       circuit%follows = 0
-      place = point%yielding_place
+      if (allocated(point%yielding_place)) place = point%yielding_place
       ! with the section as the spot sees it
       place%strip%line = point%line
       cell = point%cell

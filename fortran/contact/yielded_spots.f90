@@ -29,6 +29,7 @@ contains
       type(spot_in_circuit_t), intent(inout) :: circuit
 
       circuit%follows = 0
+      if (.not. allocated(point%yielding)) return
       if (.not. point%yielding%area > 0) return
       circuit%spot = spot_of_state(law%spot, pair%resistivity, point%yielding, point%ellipse%ratio)
       associate (spot => circuit%spot)

@@ -48,7 +48,6 @@ contains
       type(line_state_t) :: made
       real(dp) :: largest
 
-      place%yields = .true.
       place%strip = yielding_line(point%line, pair, spread(law%yield_stress, 1, 2), law%hardness, point%law_angle)
       largest = point%history%dent%felt_force()
       if (point%in_lens .and. point%deepest > point%lens_depth) then

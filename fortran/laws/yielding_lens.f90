@@ -110,7 +110,7 @@ contains
       real(dp), intent(in) :: overlap
       type(yielding_state_t) :: spot
 
-      pressure = lens%strip_share*pressure_of_place(yielding_place_t(.true., lens%strip, deepest_dent(lens)), overlap)
+      pressure = lens%strip_share*pressure_of_place(yielding_place_t(lens%strip, deepest_dent(lens)), overlap)
       if (.not. lens%strip_share < 1) return
       spot = state_at_overlap(lens%spot, lens%dent, overlap)
       pressure = pressure + (1 - lens%strip_share)*spot%pressure

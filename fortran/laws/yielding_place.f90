@@ -18,8 +18,6 @@ module litz_yielding_place
    real(dp), parameter :: small_change = 1.0e-5_dp
 
    type :: yielding_place_t
-      !> .false.: the wires are elastic, or there is no place
-      logical :: yields = .false.
       type(yielding_line_t) :: strip
       type(line_dent_t) :: dent
    end type yielding_place_t
@@ -81,14 +79,15 @@ contains
 
    !> The same as the law of elastic wires has it.
    pure type(line_force_t) function place_force(place, line, overlap, penalty) result(law)
-      type(yielding_place_t), intent(in) :: place
+      !> Not present: the wires are elastic
+      type(yielding_place_t), intent(in), optional :: place
       !> Of elastic wires
       type(line_wires_t), intent(in) :: line
       !> [m], and eps_l [N/m^2]; 0: the elastic law
       real(dp), intent(in) :: overlap, penalty
       type(place_state_t) :: state
 
-      if (.not. place%yields) then
+      if (.not. present(place)) then
          law = line_force(line, overlap, penalty)
          return
       end if
