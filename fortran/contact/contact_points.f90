@@ -172,11 +172,10 @@ module litz_contact_points
       real(dp) :: predicted_gap = 0, mixed_force = 0
       !> Overlap of the reference configuration that an interference fit resolves here [m], in the gap as far as left
       real(dp) :: fit = 0
-      !> Overlap beyond which wires that have yielded touch in their dent [m]; what their contact is at the present gap,
-      !> of which all is 0 where there is no force; what this increment has dissipated by yielding, and by shares [J]
-      real(dp) :: dent_depth = 0
+      !> Overlap beyond which wires that have yielded touch in their dent [m]; what this increment has dissipated by
+      !> yielding, and by shares [J]; and what the contact of wires that yield is now: all 0 where there is no force
+      real(dp) :: dent_depth = 0, yielded = 0, settled = 0
       type(yielding_state_t), allocatable :: yielding
-      real(dp) :: yielded = 0, settled = 0
       !> Force whose dent wires that yield feel at the present angle: of a crossing [N], of a place per length [N/m]
       real(dp) :: felt_force = 0
       !> Deepest overlap that a crossing of wires that yield has had, as far as its dent tells [m]; of a place in its
@@ -216,10 +215,10 @@ module litz_contact_points
       real(dp) :: dgap_dtemperature(4) = 0, dforce_dtemperature(4) = 0
       !> Traction at the present place
       type(friction_law_t) :: friction
-      !> How its dissipation in this increment changes with the motions of the nodes (24) [N, N m], and with the normal
-      !> force [m]: of one that presses with friction
-      real(dp), allocatable :: dfriction_work(:)
+      !> How its dissipation in this increment changes with the normal force [m] and, of one that presses with friction,
+      !> with the motions of the nodes (24) [N, N m]
       real(dp) :: dfriction_work_dforce = 0
+      real(dp), allocatable :: dfriction_work(:)
       !> What ploughing has dissipated in this increment [J], and its part of the limit of friction in the next one [-]
       real(dp) :: ploughed = 0, ploughing = 0
       !> Of a contact that presses with friction, or has in this increment
@@ -229,10 +228,10 @@ module litz_contact_points
       real(dp) :: series_resistance(2) = 0, heat_inside(2) = 0
       !> Resistance of the constriction in one wire over its resistivity [1/m]; 0: none is known
       real(dp) :: constriction(2) = 0
-      !> How the conductance of the spot changes with the motions of its nodes (24) [S/m, S/rad]: of one that conducts;
-      !> with the gap [S/m], and how much it would grow with ln(F) [S]
-      real(dp), allocatable :: dconductance(:)
+      !> How the conductance of the spot changes with the gap [S/m], how much it would grow with ln(F) [S], and, of one
+      !> that conducts, how it changes with the motions of its nodes (24) [S/m, S/rad]
       real(dp) :: dconductance_dgap = 0, dconductance_dln_force = 0
+      real(dp), allocatable :: dconductance(:)
       !> What it has more heat than it would have if its strip were the only one on its wires [W]
       real(dp) :: heat_of_others = 0
    end type contact_point_t
@@ -391,8 +390,7 @@ contains
          [point%arc_bar, point%arc], any(point%held))
    end function crossing_at
 
-   !> What a point takes over: the predictions of the last iterate, and the identity and the memory of the last
-   !> converged state.
+   !> What a point takes over: predictions of the last iterate, identity and memory of the last converged state.
    pure subroutine inherit(old, from, converged, from_converged, point)
       !> Points of the last iterate, and of the last converged state
       type(contact_point_t), intent(in) :: old(:), converged(:)
