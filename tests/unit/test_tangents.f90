@@ -480,13 +480,20 @@ contains
       problem%contact%converged%history%ploughing = 0
       do trial = 1, 3
          call compare(name, problem, tolerance, 0.01_dp)
-         call check(any(problem%contact%points%closed .and. (problem%contact%points%yielding%dissipation > 0)), &
+         call check(any(problem%contact%points%closed .and. have_yielded(problem%contact%points)), &
             name//': metal that has yielded', 0.0_dp)
          call check(any(problem%contact%points%closed .and. (problem%contact%points%force < &
             problem%contact%points%weight*problem%contact%points%felt_force .eqv. all(larger > 1))), &
             name//': on the way back or not', problem%contact%points(1)%felt_force)
       end do
    end subroutine check_yielding
+
+   elemental logical function have_yielded(point)
+      type(contact_point_t), intent(in) :: point
+
+      have_yielded = allocated(point%yielding)
+      if (have_yielded) have_yielded = point%yielding%dissipation > 0
+   end function have_yielded
 
    !> Contacts whose resistivities are those of the temperatures of their places, which move with them; and whose
    !> elasticity is.
