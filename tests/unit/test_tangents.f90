@@ -155,8 +155,8 @@ program test_tangents
    call check_heat_of_friction('heat of friction on a drum', surfaces('CYLINDER', &
       '0, 0, -6.12e-3, 0.9, 0.5, 0.05, 5e-3', '1e-2'), exact)
    call note_rubbed_surface()
-   call check_yielding('wires turned in their dent', spot, [3.0_dp, 1.03_dp], exact)
-   call check_yielding('long spot of wires turned in their dent', spot, [3.0_dp, 1.12_dp], exact, &
+   call check_yielding('wires turned in their dent', spot, [3.0_dp, 1.03_dp], exact/4)
+   call check_yielding('long spot of wires turned in their dent', spot, [3.0_dp, 1.12_dp], exact/4, &
       '11, -0.028, -0.013, 0.002'//nl//'12, -0.01, -0.0045, 0.0019'//nl//'13, 0.009, 0.0042, 0.002'//nl// &
       '14, 0.028, 0.012, 0.002'//nl)
    call check_lines('line of a penalty', penalty_of_line//clean, 0.0_dp, 3.0e-5_dp, 0.02_dp)
@@ -479,7 +479,8 @@ contains
       ! what sticks is tested below
       problem%contact%converged%history%ploughing = 0
       do trial = 1, 3
-         call compare(name, problem, tolerance, 0.01_dp)
+         ! where the dent of the angle is, is found to fewer digits than the forces have
+         call compare(name, problem, tolerance, 0.01_dp, 1.0e-2_dp)
          call check(any(problem%contact%points%closed .and. have_yielded(problem%contact%points)), &
             name//': metal that has yielded', 0.0_dp)
          call check(any(problem%contact%points%closed .and. (problem%contact%points%force < &
