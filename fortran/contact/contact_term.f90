@@ -106,8 +106,8 @@ contains
             domain%wires)
          call measure_turning(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             contact%turning_at_start)
-         contact%depth = max(0.0_dp, maxval(-contact%points%kinematics%gap), &
-            maxval(-contact%line_points%kinematics%gap))
+         contact%depth = domain%processes%largest(max(0.0_dp, maxval(-contact%points%kinematics%gap), &
+            maxval(-contact%line_points%kinematics%gap)))
       end associate
    end subroutine start
 
@@ -331,11 +331,14 @@ contains
       real(dp), intent(in) :: residual
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
+      real(dp) :: largest(3)
 
       associate (points => self%contact%points, line_points => self%contact%line_points)
-         if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
-         if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
-            maxval(-points%gap), maxval(-line_points%gap))) return
+         ! force, overlap, and what the last step has missed of it
+         largest = domain%processes%largest([max(0.0_dp, maxval(points%force), maxval(line_points%force)), &
+            max(0.0_dp, maxval(-points%gap), maxval(-line_points%gap)), &
+            max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points)))])
+         if (residual > nearly_balanced*largest(1) .or. largest(3) > missed_overlap*largest(2)) return
          if (self%contact%n_anticipated >= max_anticipations) return
          self%contact%n_anticipated = self%contact%n_anticipated + 1
          ! where forces balance, all of these count as one
@@ -383,7 +386,7 @@ contains
       line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
          contact, largest_change)
-      if (largest_change > settled_change(contact%n_settled + 1)) then
+      if (domain%processes%largest(largest_change) > settled_change(contact%n_settled + 1)) then
          has_moved = .true.
          contact%n_settled = contact%n_settled + 1
       else
