@@ -7,6 +7,7 @@
 !> `-(1 - eta) S + sum (F(g) - F(g + eta dg) - eta k dg) dg`, with the gap `g` and the stiffness `k` about which the
 !> iteration has linearised a point. Source: theory (10.22).
 module litz_contact_descent
+   use litz_communicator, only: communicator_t
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t
@@ -28,7 +29,8 @@ module litz_contact_descent
 contains
 
    !> The fraction of a step, at most 1, at which the energy is least.
-   pure real(dp) function descent_fraction(model, points, residual, step) result(eta)
+   real(dp) function descent_fraction(processes, model, points, residual, step) result(eta)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       !> Of line contacts
       type(contact_point_t), intent(in) :: points(:)
@@ -40,8 +42,10 @@ contains
       integer :: i
 
       eta = 1
-      if (size(points) == 0) return
-      work = sum(residual(motion_slots(1):motion_slots(2), :)*step(motion_slots(1):motion_slots(2), :))      ! S
+      if (.not. processes%any(size(points) > 0)) return
+      ! S
+      work = processes%sum(sum(processes%own_part(residual(motion_slots(1):motion_slots(2), :) &
+         *step(motion_slots(1):motion_slots(2), :))))
       if (.not. work > 0) return
       acts = .false.
       do i = 1, size(points)
@@ -61,7 +65,7 @@ contains
    contains
 
       !> By chords; an end that stays twice counts half (the Illinois rule). The slope grows with the fraction.
-      pure real(dp) function zero_of_slope() result(zero)
+      real(dp) function zero_of_slope() result(zero)
          real(dp) :: lower, upper, of_lower, of_upper, here
          integer :: n, moved
 
@@ -91,13 +95,14 @@ contains
       end function zero_of_slope
 
       !> Of the energy, at a fraction of the step [J].
-      pure real(dp) function slope(fraction)
+      real(dp) function slope(fraction)
          !> [-]
          real(dp), intent(in) :: fraction
          type(place_law_t) :: law
          integer :: k
 
-         slope = -(1 - fraction)*work
+         slope = 0
+         if (processes%process == 1) slope = -(1 - fraction)*work
          do k = 1, size(points)
             associate (point => points(k))
                if (.not. acts(k)) cycle
@@ -107,6 +112,7 @@ contains
                   - fraction*point%stiffness*dgap(k))*dgap(k)
             end associate
          end do
+         slope = processes%sum(slope)
       end function slope
 
    end function descent_fraction

@@ -309,8 +309,8 @@ contains
 
       bearable_fraction = min(contact_fraction(domain%model, domain%elements, self%contact%points, correction), &
          contact_fraction(domain%model, domain%elements, self%contact%line_points, correction), &
-         descent_fraction(domain%model, self%contact%line_points, domain%loading%load - domain%forces%internal &
-         - domain%forces%iteration, correction))
+         descent_fraction(domain%processes, domain%model, self%contact%line_points, domain%loading%load &
+         - domain%forces%internal - domain%forces%iteration, correction))
    end function bearable_fraction
 
    subroutine predict(self, domain, eta, correction)

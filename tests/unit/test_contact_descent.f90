@@ -3,6 +3,7 @@
 !> The step of the iteration, which does not know of the stop, is 1 m. The energy along it is
 !> `u^2/2 - u + k max(u - gap, 0)^2/2` with the stiffness k of the point; where it is least is in closed form.
 program test_contact_descent
+   use litz_communicator, only: one_process_t
    use litz_contact_descent, only: descent_fraction
    use litz_contact_points, only: contact_point_t
    use litz_deck_reader, only: read_deck
@@ -50,7 +51,7 @@ contains
       ! rotations and potentials have no part in it
       step(7:, 2) = 5
       residual(7:, 2) = 7
-      fraction_of = descent_fraction(model, points, residual, step)
+      fraction_of = descent_fraction(one_process_t(), model, points, residual, step)
    end function fraction_of
 
    !> An open point whose gap falls as the first node of the unbarred element goes up.
