@@ -89,18 +89,21 @@ contains
          size(whole%state%contacts), contacts, nodes
    end subroutine report
 
-   !> Four wires along x, four on top of them along y that are lowered, and two apart from all, one of them loaded.
+   !> Four wires along x, four on top of them along y that are lowered, and two along y apart, one of them loaded.
    subroutine write_deck(path)
       character(len=*), intent(in) :: path
       integer, parameter :: n_wires = 4, n_nodes = 7
       real(dp), parameter :: spacing = 0.01_dp
+      character(len=*), parameter :: form_of_node = '(i0, 3(", ", es12.5))'
       integer :: unit, wire, i
 
       open (newunit=unit, file=path, action='write', status='replace')
       do wire = 1, n_wires + 2
          write (unit, '(a)') '*NODE'
          do i = 0, n_nodes - 1
-            write (unit, '(i0, 3(", ", es12.5))') 100*wire + i, spacing*i, spacing*(wire + 0.5_dp + 10*(wire/5)), 0.0_dp
+            if (wire <= n_wires) write (unit, form_of_node) 100*wire + i, spacing*i, spacing*(wire + 0.5_dp), 0.0_dp
+            ! so long that the shares cut them
+            if (wire > n_wires) write (unit, form_of_node) 100*wire + i, spacing*(wire + 5), 4*spacing*i, 0.0_dp
          end do
          write (unit, '(a)') '*ELEMENT, TYPE=B33, ELSET=LOWER'
          write (unit, '(2(i0, ", "), i0)') (100*wire + i, 100*wire + i, 100*wire + i + 1, i=0, n_nodes - 2)
@@ -108,13 +111,13 @@ contains
       do wire = 1, n_wires
          write (unit, '(a)') '*NODE'
          do i = 0, n_nodes - 1
-            write (unit, '(i0, 3(", ", es12.5))') 1000*wire + i, spacing*(wire + 0.5_dp), spacing*i, 0.002_dp
+            write (unit, form_of_node) 1000*wire + i, spacing*(wire + 0.5_dp), spacing*i, 0.002_dp
          end do
          write (unit, '(a)') '*ELEMENT, TYPE=B33, ELSET=UPPER'
          write (unit, '(2(i0, ", "), i0)') (1000*wire + i, 1000*wire + i, 1000*wire + i + 1, i=0, n_nodes - 2)
       end do
-      write (unit, '(a)') '*NSET, NSET=PLUS', '100, 200, 300, 400', '*NSET, NSET=MINUS', '1000, 2000, 3000, 4000', &
-         '*NSET, NSET=FAR', '106, 206, 306, 406, 500, 506, 600, 606', &
+      write (unit, '(a)') '*NSET, NSET=PLUS', '300, 400', '*NSET, NSET=MINUS', '1006, 2006, 3006, 4006', &
+         '*NSET, NSET=HELD', '100, 200, 300, 400, 106, 206, 306, 406, 500, 506, 600, 606', &
          '*NSET, NSET=MOVING', '1000, 2000, 3000, 4000, 1006, 2006, 3006, 4006', &
          '*MATERIAL, NAME=M', '*ELASTIC', '1.2e11, 0.34', '*ELECTRICAL CONDUCTIVITY', '5.8e7', &
          '*BEAM SECTION, ELSET=LOWER, MATERIAL=M, SECTION=CIRC', '1e-3', &
@@ -122,7 +125,7 @@ contains
          '*SURFACE INTERACTION, NAME=T', '*GAP ELECTRICAL CONDUCTANCE, LAW=HERTZ', &
          '*CONTACT PAIR, INTERACTION=T', 'LOWER, UPPER', &
          '*STEP', '*STATIC', '1., 1.', '*CONTROLS, PARAMETERS=STABILIZE', '1e-6', &
-         '*BOUNDARY', 'PLUS, ENCASTRE', 'FAR, ENCASTRE', 'MOVING, 1, 2', 'MOVING, 4, 6', &
+         '*BOUNDARY', 'HELD, ENCASTRE', 'MOVING, 1, 2', 'MOVING, 4, 6', &
          'MOVING, 3, 3, -5e-5', 'PLUS, 9, 9, 1e-3', 'MINUS, 9, 9, 0.', &
          '*CLOAD', '603, 3, -2.', '203, 2, 0.3', '3003, 1, 0.2', &
          '*NODE PRINT, NSET=MOVING, TOTALS=ONLY', 'RF, U', '*ENERGY PRINT', '*ELECTRODE PRINT', 'PLUS, MINUS', &
@@ -313,7 +316,7 @@ contains
       type(error_t), allocatable :: error
       character(len=:), allocatable :: text
       logical :: connected(whole%model%n_nodes), of_part(part%model%n_nodes)
-      integer :: fed
+      integer :: fed, out
 
       call check(grounds_of(whole, one_process_t()) == 2, 'two wires have no potential')
       call check(grounds_of(part, processes) == 2, 'nor have they on several processes')
@@ -329,8 +332,15 @@ contains
       call check(whole%is_fed .and. part%is_fed, 'a current has no way out')
       text = describe_fed_part(part)
       call check(text == describe_fed_part(whole) .and. index(text, '605') > 0, 'all know where it is fed: '//text)
-      whole%loading%load(slot, fed) = 0
-      where (share%nodes == fed) part%loading%load(slot, :) = 0
+      ! what comes in at one end goes out at the other
+      out = findloc(whole%model%node_id, 601, 1)
+      whole%loading%load(slot, out) = -1
+      where (share%nodes == out) part%loading%load(slot, :) = -1
+      call check(grounds_of(whole, one_process_t()) == 2, 'a wire through which a current goes')
+      call check(grounds_of(part, processes) == 2, 'through several processes')
+      call check(.not. (whole%is_fed .or. part%is_fed), 'nothing is left in it')
+      whole%loading%load(slot, [fed, out]) = 0
+      where (share%nodes == fed .or. share%nodes == out) part%loading%load(slot, :) = 0
       call ground_floating_parts(whole, error)
       call stop_on(error)
       call ground_floating_parts(part, error)
