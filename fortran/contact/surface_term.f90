@@ -383,7 +383,8 @@ contains
       ! nothing has been predicted yet
       if (domain%processes%any(any(self%cells%predicted < 0))) return
       ! what is missed, and the force
-      largest = domain%processes%largest([maxval(abs(self%cells%force - self%cells%predicted)), maxval(self%cells%force)])
+      largest = domain%processes%largest([maxval(abs(self%cells%force - self%cells%predicted)), &
+         maxval(self%cells%force)])
       if (max(residual, largest(1)) > nearly_balanced*largest(2)) return
       self%anticipations = self%anticipations + 1
       call self%settle(domain, has_moved)

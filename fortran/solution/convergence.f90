@@ -85,10 +85,10 @@ contains
       real(dp), allocatable :: change(:, :)
       integer :: field
 
-      vanishes = .false.
       associate (load => problem%loading%load)
-         if (.not. problem%processes%any(size(step%element_loads) > 0 .or. any(abs(load - problem%state%load) > 0))) &
-            return
+         vanishes = problem%processes%any(size(step%element_loads) > 0 .or. any(abs(load - problem%state%load) > 0))
+         if (.not. vanishes) return
+         vanishes = .false.
          scales = measure_scales(problem)
          change = abs(load - problem%forces%internal - left_before(problem))
       end associate

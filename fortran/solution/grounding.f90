@@ -162,7 +162,7 @@ contains
       end associate
    end subroutine ground_field
 
-   !> Of a part that floats and is on several processes, one piece with an unknown is grounded: a loaded one if there is.
+   !> Of a part that floats and is on several processes one piece with an unknown is grounded, a loaded one if there is.
    subroutine hold_other_pieces(problem, parts, slot, held)
       type(problem_t), intent(in) :: problem
       type(parts_t), intent(inout) :: parts

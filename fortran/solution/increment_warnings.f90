@@ -247,24 +247,22 @@ contains
       integer, intent(in) :: field
       type(scales_t), intent(in) :: scales
       character(len=:), allocatable :: what
-      real(dp) :: load, moved
+      real(dp) :: load, moved, extent
       integer :: i
 
       associate (loading => problem%loading, first => first_slot(field), last => last_slot(field), &
          step => problem%model%steps(problem%state%step), units => problem%model%units, named => fields(field))
-         load = maxval(abs(loading%load(first:last, :)))
+         load = problem%processes%largest(maxval(abs(loading%load(first:last, :))))
+         extent = problem%processes%largest(maxval(abs(problem%model%x)))
          moved = 0
          if (field == field_displacement) then
-            do i = 1, size(step%element_loads)
-               if (any(abs(step%element_loads(i)%value) > 0)) load = max(load, scales%reference(field))
-            end do
+            if (problem%processes%any(any([(any(abs(step%element_loads(i)%value) > 0), &
+               i=1, size(step%element_loads))]))) load = max(load, scales%reference(field))
             moved = problem%processes%largest(maxval(abs(loading%value(first:last, :)), &
                mask=loading%prescribed(first:last, :)))
             ! a value that passes zero, or has come back to it, is round-off of its way there
-            if (loading%largest_motion > lost_motion*epsilon(1.0_dp)*problem%processes%largest(maxval(abs( &
-               problem%model%x)))) moved = 0
+            if (loading%largest_motion > lost_motion*epsilon(1.0_dp)*extent) moved = 0
          end if
-         load = problem%processes%largest(load)
          if (load > vanishing) then
             what = 'loads of at most '//to_text(load)//units%after(trim(named%flux_unit))
          else if (moved > 0) then
@@ -273,7 +271,8 @@ contains
             return
          end if
          call problem%warnings%add('round_off', what//' are lost in the round-off of the '// &
-            trim(named%flux_in_words)//' at a node, '//to_text(problem%processes%largest(maxval(scales%round_off(field, :))))// &
+            trim(named%flux_in_words)//' at a node, '// &
+            to_text(problem%processes%largest(maxval(scales%round_off(field, :))))// &
             units%after(trim(named%flux_unit))//': motions are those of linear solutions, and reactions, forces in'// &
             ' wires and contacts have no digits', value=100.0_dp, unit='%')
       end associate

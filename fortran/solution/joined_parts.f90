@@ -65,8 +65,9 @@ contains
    pure subroutine find_root(root, member, i)
       !> As in `parts_t` (n)
       integer, intent(inout) :: root(:)
-      !> The member, and its representative
+      !> The member
       integer, intent(in) :: member
+      !> Its representative
       integer, intent(out) :: i
 
       i = member

@@ -346,7 +346,8 @@ contains
          self%matrix%unsymmetric_by_friction = .false.
          if (allocated(self%matrix%slip_coupling%value)) deallocate (self%matrix%slip_coupling%value)
       end if
-      call clear_forces(self%processes, first_group, self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
+      call clear_forces(self%processes, first_group, self%iterate%x, self%iterate%value, self%iterate%change, &
+         self%forces)
    end subroutine clear_system
 
    !> Add cells to the system: their tangents, and with `r` their forces.

@@ -161,7 +161,13 @@ def test_sums_and_maxima_over_a_model_in_shares_are_those_of_the_whole_one(mpiru
     program = build_target("tests/model_over_processes")
     for ranks in (1, 2, 4):
         done = subprocess.run(
-            mpirun(ranks, program), capture_output=True, text=True, check=False, timeout=120, env=one_thread(), cwd=tmp_path
+            mpirun(ranks, program),
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+            env=one_thread(),
+            cwd=tmp_path,
         )
         assert done.returncode == 0, done.stdout + done.stderr
         whole, *shares = map(int, done.stdout.partition(":")[2].split())

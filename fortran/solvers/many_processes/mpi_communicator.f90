@@ -25,39 +25,47 @@ module litz_mpi_communicator
    end type mpi_communicator_t
 
    interface
-      !> Counted from 0
       subroutine find_process(process, n_processes) bind(c, name='litz_find_process')
          import :: c_int
          implicit none
+         !> From 0, and how many there are
          integer(c_int), intent(out) :: process, n_processes
       end subroutine find_process
 
-      !> Numbers of all processes, one after the other, for all; `counts`: how many each has
       subroutine all_counts(n, own, counts, gathered) bind(c, name='litz_gather_counts')
          import :: c_int
          implicit none
+         !> How many this process has
          integer(c_int), value :: n
+         !> These (n), and how many each process has (n_processes)
          integer(c_int), intent(in) :: own(*), counts(*)
+         !> Of all processes, one after the other (sum of counts)
          integer(c_int), intent(inout) :: gathered(*)
       end subroutine all_counts
 
-      !> The same
       subroutine all_numbers(n, own, counts, gathered) bind(c, name='litz_gather_numbers')
          import :: c_int, c_double
          implicit none
+         !> How many this process has
          integer(c_int), value :: n
+         !> These (n)
          real(c_double), intent(in) :: own(*)
+         !> How many each process has (n_processes)
          integer(c_int), intent(in) :: counts(*)
+         !> Of all processes, one after the other (sum of counts)
          real(c_double), intent(inout) :: gathered(*)
       end subroutine all_numbers
 
-      !> So many numbers to each neighbour, and as many from it, one neighbour after the other
       subroutine exchange(n_neighbours, neighbours, counts, sent, received) bind(c, name='litz_exchange_numbers')
          import :: c_int, c_double
          implicit none
+         !> How many processes this one has to do with
          integer(c_int), value :: n_neighbours
+         !> Which ones, from 0, and how many numbers go to each and come from it (n_neighbours)
          integer(c_int), intent(in) :: neighbours(*), counts(*)
+         !> One neighbour after the other (sum of counts)
          real(c_double), intent(in) :: sent(*)
+         !> The same
          real(c_double), intent(inout) :: received(*)
       end subroutine exchange
    end interface
@@ -174,7 +182,8 @@ contains
       integer :: i, first
       logical :: own_is_in
 
-      call exchange(size(self%neighbours), self%neighbours, size(values, 1)*self%counts, values(:, self%nodes), received)
+      call exchange(size(self%neighbours), self%neighbours, size(values, 1)*self%counts, values(:, self%nodes), &
+         received)
       total = 0
       own_is_in = .false.
       first = 0
