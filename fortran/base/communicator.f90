@@ -122,12 +122,12 @@ contains
       !> Of this process (n), as many as in the others
       real(dp), intent(in) :: own(:)
       real(dp) :: total(size(own))
-      real(dp), allocatable :: of_all(:, :)
+      real(dp) :: of_all(size(own), self%n_processes)
       integer :: i
 
       total = own
       if (self%n_processes == 1) return
-      of_all = reshape(self%gather(own), [size(own), self%n_processes])
+      of_all = reshape(self%gather(own), shape(of_all))
       total = of_all(:, 1)
       do i = 2, self%n_processes
          total = total + of_all(:, i)
@@ -138,9 +138,12 @@ contains
       class(communicator_t), intent(in) :: self
       !> Of this process
       integer, intent(in) :: own
+      integer :: of_all(self%n_processes)
 
       total = own
-      if (self%n_processes > 1) total = sum(self%gather([own]))
+      if (self%n_processes == 1) return
+      of_all = self%gather([own])
+      total = sum(of_all)
    end function sum_count
 
    !> Of all processes; a value that is not a number wins.
@@ -160,12 +163,12 @@ contains
       !> Of this process (n), as many as in the others
       real(dp), intent(in) :: own(:)
       real(dp) :: largest(size(own))
-      real(dp), allocatable :: of_all(:, :)
+      real(dp) :: of_all(size(own), self%n_processes)
       integer :: i, k
 
       largest = own
       if (self%n_processes == 1) return
-      of_all = reshape(self%gather(own), [size(own), self%n_processes])
+      of_all = reshape(self%gather(own), shape(of_all))
       do i = 1, size(own)
          k = place_of_largest(of_all(i, :))
          largest(i) = of_all(i, k)
@@ -179,11 +182,11 @@ contains
       real(dp), intent(inout) :: value
       !> Numbers that belong to the value (n), as many as in the others
       real(dp), intent(inout) :: belongings(:)
-      real(dp), allocatable :: of_all(:, :)
+      real(dp) :: of_all(size(belongings) + 1, self%n_processes)
       integer :: k
 
       if (self%n_processes == 1) return
-      of_all = reshape(self%gather([value, belongings]), [size(belongings) + 1, self%n_processes])
+      of_all = reshape(self%gather([value, belongings]), shape(of_all))
       k = place_of_largest(of_all(1, :))
       value = of_all(1, k)
       belongings = of_all(2:, k)
@@ -227,8 +230,7 @@ contains
       class(communicator_t), intent(in) :: self
       !> Of this process (n), as many as in the others
       logical, intent(in) :: own(:)
-      logical :: is_first(size(own))
-      logical, allocatable :: of_all(:, :)
+      logical :: is_first(size(own)), of_all(size(own), self%n_processes)
 
       is_first = own
       if (self%n_processes == 1) return
@@ -241,9 +243,11 @@ contains
       class(communicator_t), intent(in) :: self
       !> Of this process (n), as many as in the others
       logical, intent(in) :: own(:)
-      logical, allocatable :: of_all(:, :)
+      logical :: of_all(size(own), self%n_processes)
+      integer :: counts(size(own)*self%n_processes)
 
-      of_all = reshape(self%gather(merge(1, 0, own)), [size(own), self%n_processes]) == 1
+      counts = self%gather(merge(1, 0, own))
+      of_all = reshape(counts == 1, shape(of_all))
    end function flags_of_all
 
    !> What the first process that has something to say says; empty: none has.
@@ -253,14 +257,15 @@ contains
       character(len=*), intent(in) :: own
       character(len=:), allocatable :: text
       integer, allocatable :: letters(:)
-      integer :: i, speaker(1)
+      integer :: i, speaker, lengths(self%n_processes)
 
       text = own
       if (self%n_processes == 1) return
-      speaker = findloc(self%gather([len(own)]) > 0, .true.)
-      if (speaker(1) == 0) return
-      letters = [(iachar(own(i:i)), i=1, merge(len(own), 0, self%process == speaker(1)))]
-      letters = self%gather(letters)
+      lengths = self%gather([len(own)])
+      speaker = findloc(lengths > 0, .true., 1)
+      if (speaker == 0) return
+      allocate (letters(lengths(speaker)))
+      letters = self%gather([(iachar(own(i:i)), i=1, merge(len(own), 0, self%process == speaker))])
       text = repeat(' ', size(letters))
       do i = 1, size(letters)
          text(i:i) = achar(letters(i))
