@@ -1,11 +1,13 @@
 !> A run from the resolved model to the closed result files.
 module litz_run
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use litz_communicator, only: communicator_t
    use litz_errors, only: error_t, error_list_t
    use litz_increment_warnings, only: add_deck_warnings, add_start_warnings
    use litz_initial_contacts, only: find_initial_overlap
    use litz_model, only: model_t
    use litz_problem, only: problem_t, prepare_problem
+   use litz_processes, only: find_holders
    use litz_restart_file, only: read_restart
    use litz_run_output, only: run_output_t
    use litz_step_control, only: course_t
@@ -85,8 +87,10 @@ contains
       type(run_options_t), intent(in) :: options
       type(problem_t), intent(out) :: problem
       type(error_t), allocatable, intent(out) :: error
+      class(communicator_t), allocatable :: holders
 
-      call prepare_problem(model, problem)
+      call find_holders(holders)
+      call prepare_problem(model, problem, holders)
       problem%timing = options%timing
       call problem%timing%lap(phase_preparation)
       call find_initial_overlap(problem, error)

@@ -66,7 +66,8 @@ contains
          call check_writable(restart_path(self), error)
          call self%restart%open(restart_path(self), problem, error)
       end if
-      if (.not. allocated(error)) call self%results%open(problem%model, self%base, problem%state, error)
+      if (.not. allocated(error)) call self%results%open(problem%processes, problem%model, self%base, problem%state, &
+         error)
       if (allocated(error)) then
          call self%restart%close(close_error)
          call unlock_results()

@@ -7,6 +7,7 @@
 !> `-(1 - eta) S + sum (F(g) - F(g + eta dg) - eta k dg) dg`, with the gap `g` and the stiffness `k` about which the
 !> iteration has linearised a point. Source: theory (10.22).
 module litz_contact_descent
+   use litz_communicator, only: communicator_t
    use litz_kinds, only: dp
    use litz_contact_kinematics, only: n_motions
    use litz_contact_points, only: contact_point_t
@@ -29,7 +30,8 @@ module litz_contact_descent
 contains
 
    !> The fraction of a step, at most 1, at which the energy is least.
-   real(dp) function descent_fraction(model, points, residual, step) result(eta)
+   real(dp) function descent_fraction(processes, model, points, residual, step) result(eta)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       !> Of line contacts
       type(contact_point_t), intent(in) :: points(:)
@@ -41,8 +43,10 @@ contains
       integer :: i
 
       eta = 1
-      if (size(points) == 0) return
-      work = sum(residual(motion_slots(1):motion_slots(2), :)*step(motion_slots(1):motion_slots(2), :))      ! S
+      if (.not. processes%any(size(points) > 0)) return
+      ! S
+      work = processes%sum(sum(processes%own_part(residual(motion_slots(1):motion_slots(2), :) &
+         *step(motion_slots(1):motion_slots(2), :))))
       if (.not. work > 0) return
       acts = .false.
       !$omp parallel do schedule(static) if (size(points) >= worth_threads)
@@ -113,7 +117,9 @@ contains
             end associate
          end do
          !$omp end parallel do
-         slope = -(1 - fraction)*work + sum(part)
+         slope = sum(part)
+         if (processes%process == 1) slope = slope - (1 - fraction)*work
+         slope = processes%sum(slope)
       end function slope
 
    end function descent_fraction

@@ -165,7 +165,8 @@ contains
       if (.not. (domain%loading%solves(field_temperature) .and. self%rate > 0 .and. domain%heat_weights(2) > 0)) return
       call find_rubbing(domain, self%contact, rubbing)
       associate (increment => 1/self%rate)
-         if (.not. is_abrupt(rubbing, increment, domain%state%time_increment, domain%fastest_warming(increment))) return
+         if (.not. is_abrupt(domain%processes, rubbing, increment, domain%state%time_increment, &
+            domain%fastest_warming(increment))) return
       end associate
       domain%heat_weights = [1, 0]
       has_moved = .true.

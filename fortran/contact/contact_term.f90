@@ -110,8 +110,8 @@ contains
             domain%wires)
          call measure_turning(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
             contact%turning_at_start)
-         contact%depth = max(0.0_dp, maxval(-contact%points%kinematics%gap), &
-            maxval(-contact%line_points%kinematics%gap))
+         contact%depth = domain%processes%largest(max(0.0_dp, maxval(-contact%points%kinematics%gap), &
+            maxval(-contact%line_points%kinematics%gap)))
       end associate
    end subroutine start
 
@@ -314,11 +314,13 @@ contains
       real(dp), intent(in) :: correction(:, :)
       logical, intent(inout) :: has_changed
       logical :: has_grown
+      real(dp) :: changed, active
 
       associate (contact => self%contact, model => domain%model, elements => domain%elements)
          call self%foresee(domain, correction)
-         if (n_changed(model, correction, contact%points) + n_changed(model, correction, contact%line_points) <= &
-            few_contacts*(count(contact%points%active) + count(contact%line_points%active))) return
+         changed = n_changed(model, correction, contact%points) + n_changed(model, correction, contact%line_points)
+         active = count(contact%points%active) + count(contact%line_points%active)
+         if (.not. domain%processes%sum(changed - few_contacts*active) > 0) return
          has_changed = .true.
          call suppose_contacts(model, correction, contact%points)
          call suppose_contacts(model, correction, contact%line_points)
@@ -340,8 +342,8 @@ contains
 
       bearable_fraction = min(contact_fraction(domain%model, domain%elements, self%contact%points, correction), &
          contact_fraction(domain%model, domain%elements, self%contact%line_points, correction), &
-         descent_fraction(domain%model, self%contact%line_points, domain%loading%load - domain%forces%internal &
-         - domain%forces%iteration, correction))
+         descent_fraction(domain%processes, domain%model, self%contact%line_points, domain%loading%load &
+         - domain%forces%internal - domain%forces%iteration, correction))
    end function bearable_fraction
 
    subroutine predict(self, domain, eta, correction)
@@ -362,11 +364,14 @@ contains
       real(dp), intent(in) :: residual
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
+      real(dp) :: largest(3)
 
       associate (points => self%contact%points, line_points => self%contact%line_points)
-         if (residual > nearly_balanced*max(0.0_dp, maxval(points%force), maxval(line_points%force))) return
-         if (max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points))) > missed_overlap*max(0.0_dp, &
-            maxval(-points%gap), maxval(-line_points%gap))) return
+         ! force, overlap, and what the last step has missed of it
+         largest = domain%processes%largest([max(0.0_dp, maxval(points%force), maxval(line_points%force)), &
+            max(0.0_dp, maxval(-points%gap), maxval(-line_points%gap)), &
+            max(0.0_dp, maxval(missed_by(points)), maxval(missed_by(line_points)))])
+         if (residual > nearly_balanced*largest(1) .or. largest(3) > missed_overlap*largest(2)) return
          if (self%contact%n_anticipated >= max_anticipations) return
          self%contact%n_anticipated = self%contact%n_anticipated + 1
          ! where forces balance, all of these count as one
@@ -414,7 +419,7 @@ contains
       line_points = contact%line_points
       call renew_shares(domain%model, domain%wires, domain%elements, domain%iterate%x, domain%iterate%rotation, &
          contact, largest_change)
-      if (largest_change > settled_change(contact%n_settled + 1)) then
+      if (domain%processes%largest(largest_change) > settled_change(contact%n_settled + 1)) then
          has_moved = .true.
          contact%n_settled = contact%n_settled + 1
       else

@@ -139,7 +139,8 @@ contains
 
       if (.not. (self%rate > 0 .and. domain%heat_weights(2) > 0 .and. allocated(domain%surface_rubbing))) return
       associate (increment => 1/self%rate, rubbing => domain%surface_rubbing)
-         if (.not. is_abrupt(rubbing, increment, domain%state%time_increment, domain%fastest_warming(increment))) return
+         if (.not. is_abrupt(domain%processes, rubbing, increment, domain%state%time_increment, &
+            domain%fastest_warming(increment))) return
       end associate
       domain%heat_weights = [1, 0]
       has_moved = .true.

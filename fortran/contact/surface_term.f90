@@ -377,13 +377,15 @@ contains
       real(dp), intent(in) :: residual
       !> The forces must be evaluated again
       logical, intent(inout) :: has_moved
+      real(dp) :: largest(2)
 
-      if (size(self%cells) == 0 .or. self%anticipations >= max_anticipations) return
+      if (.not. domain%processes%any(size(self%cells) > 0) .or. self%anticipations >= max_anticipations) return
       ! nothing has been predicted yet
-      if (any(self%cells%predicted < 0)) return
-      associate (missed => maxval(abs(self%cells%force - self%cells%predicted)), largest => maxval(self%cells%force))
-         if (max(residual, missed) > nearly_balanced*largest) return
-      end associate
+      if (domain%processes%any(any(self%cells%predicted < 0))) return
+      ! what is missed, and the force
+      largest = domain%processes%largest([maxval(abs(self%cells%force - self%cells%predicted)), &
+         maxval(self%cells%force)])
+      if (max(residual, largest(1)) > nearly_balanced*largest(2)) return
       self%anticipations = self%anticipations + 1
       call self%settle(domain, has_moved)
       ! where forces balance, updates count anew
@@ -398,7 +400,7 @@ contains
       logical, intent(inout) :: has_moved
       logical :: has_changed
 
-      if (size(self%cells) == 0) return
+      if (.not. domain%processes%any(size(self%cells) > 0)) return
       if (any(domain%elements%shear_flexible)) then
          call follow_centre_line(domain%model, domain%elements, domain%iterate%x, domain%iterate%rotation, domain%wires)
          call survey(self, domain)
@@ -406,6 +408,7 @@ contains
       end if
       has_changed = .false.
       if (self%updates < most_updates) call update_laws(self, domain, settled, has_changed)
+      has_changed = domain%processes%any(has_changed)
       if (has_changed) self%updates = self%updates + 1
       has_moved = has_moved .or. has_changed
    end subroutine settle

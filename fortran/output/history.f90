@@ -4,6 +4,7 @@
 module litz_history
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf, ieee_quiet_nan
    use litz_kinds, only: dp
+   use litz_communicator, only: communicator_t
    use litz_errors, only: error_t, fail, exit_internal
    use litz_fields, only: first_slot, field_potential, field_temperature
    use litz_model, only: model_t, named_set_t, output_request_t, request_node, request_element, request_electrode, &
@@ -36,6 +37,7 @@ module litz_history
    end type column_t
 
    type :: history_t
+      class(communicator_t), allocatable, private :: processes
       type(column_t), allocatable, private :: columns(:)
       !> What may be asked for, without values
       type(wire_quantity_t), allocatable, private :: quantities(:)
@@ -51,8 +53,9 @@ module litz_history
 contains
 
    !> Collects the columns that the steps ask for.
-   subroutine history_build(self, model, error)
+   subroutine history_build(self, processes, model, error)
       class(history_t), intent(inout) :: self
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(error_t), allocatable, intent(inout) :: error
       !> Columns of single nodes and elements that are there already, by quantity
@@ -61,11 +64,12 @@ contains
       integer :: i, j
 
       if (allocated(error)) return
+      allocate (self%processes, source=processes)
       call choose_results(model, nothing)
       call list_wire_quantities(nothing, self%quantities)
       allocate (self%columns(16))
       self%n_columns = 0
-      self%largest_conductance = largest_conductance(model)
+      self%largest_conductance = processes%largest(largest_conductance(model))
       allocate (seen(max(model%n_nodes, model%n_elements), size(self%quantities)), source=.false.)
       if (.not. allocated(model%steps)) return
       do i = 1, size(model%steps)
@@ -301,7 +305,7 @@ contains
       line = trim(buffer)
    end function history_line
 
-   pure real(dp) function column_value(self, column, list, state) result(value)
+   real(dp) function column_value(self, column, list, state) result(value)
       type(history_t), intent(in) :: self
       type(column_t), intent(in) :: column
       !> The quantities of the state
@@ -313,8 +317,8 @@ contains
       else if (column%quantity < 0) then
          value = electrode_value(self, column%quantity, column%members, column%members_2, state)
       else
-         value = sum(list(column%quantity)%values(column%component, column%members))
-         if (column%is_mean) value = value/max(1, size(column%members))
+         value = self%processes%sum(sum(list(column%quantity)%values(column%component, column%members)))
+         if (column%is_mean) value = value/max(1, self%processes%sum(size(column%members)))
       end if
    end function column_value
 
@@ -333,7 +337,7 @@ contains
    !> Voltage of the positive against the negative electrode (means over their nodes), the current that enters the body
    !> at the positive one, and their quotient: positive for a passive body, infinite where there is no current. One
    !> that is round-off is none.
-   pure real(dp) function electrode_value(self, quantity, plus, minus, state) result(value)
+   real(dp) function electrode_value(self, quantity, plus, minus, state) result(value)
       class(history_t), intent(in) :: self
       !> Which one of an electrode pair, and the nodes of the positive and the negative set (n), (m)
       integer, intent(in) :: quantity, plus(:), minus(:)
@@ -341,9 +345,13 @@ contains
       integer, parameter :: slot = first_slot(field_potential)
       real(dp) :: voltage, current
 
-      voltage = sum(state%value(slot, plus))/size(plus) - sum(state%value(slot, minus))/size(minus)
-      current = sum(state%reaction(slot, plus) + state%load(slot, plus))
-      if (abs(current) <= 100*epsilon(value)*self%largest_conductance*maxval(abs(state%value(slot, :)))) current = 0
+      associate (processes => self%processes)
+         voltage = processes%sum(sum(state%value(slot, plus)))/processes%sum(size(plus)) &
+            - processes%sum(sum(state%value(slot, minus)))/processes%sum(size(minus))
+         current = processes%sum(sum(state%reaction(slot, plus) + state%load(slot, plus)))
+         if (abs(current) <= 100*epsilon(value)*self%largest_conductance &
+            *processes%largest(maxval(abs(state%value(slot, :))))) current = 0
+      end associate
       select case (quantity)
       case (electrode_voltage)
          value = voltage

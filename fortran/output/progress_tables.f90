@@ -54,7 +54,7 @@ contains
       do i = 1, n_fields
          if (.not. model%has_field(i)) cycle
          line = line//cell(number(report%correction(i)), len(correction_cell(i)))// &
-            cell(to_text(user_id(model, report%correction_node(i))), node_width)
+            cell(to_text(report%correction_node(i)), node_width)
       end do
       write (buffer, '(i8, 2i6, es16.3e3, i12)') report%contacts_active, report%contacts_new, report%contacts_lost, &
          report%penetration, report%factor_age
@@ -158,14 +158,5 @@ contains
       end if
       line = trim(line//'  '//remark)
    end function increment_line
-
-   pure integer function user_id(model, node)
-      type(model_t), intent(in) :: model
-      !> Internal index; 0: none
-      integer, intent(in) :: node
-
-      user_id = 0
-      if (node > 0) user_id = model%node_id(node)
-   end function user_id
 
 end module litz_progress_tables

@@ -13,6 +13,7 @@
 !> increment leaves the older files alone, and its own tables as STEM_unconverged.sta and .cvg.
 module litz_results
    use litz_kinds, only: dp
+   use litz_communicator, only: communicator_t
    use litz_errors, only: error_t, exit_files
    use litz_model, only: model_t
    use litz_state, only: state_t
@@ -71,8 +72,10 @@ module litz_results
 contains
 
    !> Begins all files.
-   subroutine results_open(self, model, base, state, error)
+   subroutine results_open(self, processes, model, base, state, error)
       class(results_t), intent(inout) :: self
+      !> Those that hold the model
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       !> Directory, which exists, and stem of all files
       character(len=*), intent(in) :: base
@@ -89,7 +92,7 @@ contains
          self%over_older = self%over_older .or. there
          call check_writable(base//trim(endings(i)), error)
       end do
-      call self%history%build(model, error)
+      call self%history%build(processes, model, error)
       call self%wires%open(model, base//'.vtkhdf', error)
       call self%ledger%open(model, state, base//'_contacts.csv', base//'_contacts.vtkhdf', error)
       call self%surfaces%open(model, base//'_surfaces.csv', error)

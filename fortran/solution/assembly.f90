@@ -38,13 +38,17 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
-      if (problem%pattern_changed) call rebuild_pattern(problem, error)
+      if (problem%processes%any(problem%pattern_changed)) call rebuild_pattern(problem, error)
       if (allocated(error)) return
       call problem%clear_system()
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%evaluate(problem%domain_t, error)
          if (allocated(error)) return
       end do
+      associate (matrix => problem%matrix)
+         matrix%symmetric = .not. problem%processes%any(.not. matrix%symmetric)
+         matrix%unsymmetric_by_friction = problem%processes%any(matrix%unsymmetric_by_friction)
+      end associate
       call ground_floating_parts(problem, error)
       call problem%timing%lap(phase_assembly)
    end subroutine assemble

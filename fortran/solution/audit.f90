@@ -7,6 +7,7 @@ module litz_audit
    use litz_fields, only: fields, n_fields, n_slots, first_slot, last_slot, field_displacement, field_rotation, &
       field_potential, field_temperature, field_of_slot, field_of_dof
    use litz_kinds, only: dp
+   use litz_communicator, only: communicator_t
    use litz_contact_net, only: allowed_penetration
    use litz_errors, only: error_t, fail, exit_not_converged
    use litz_flow_balances, only: current_imbalance, spot_imbalance, power_imbalance, heat_imbalance, power_left_over
@@ -61,7 +62,8 @@ module litz_audit
 
 contains
 
-   function audit_increment(model, state, loading, residual, scales) result(audit)
+   function audit_increment(processes, model, state, loading, residual, scales) result(audit)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       !> As the state should have it
@@ -73,26 +75,26 @@ contains
       real(dp) :: extent, power, potential, total_round_off(n_fields), not_shown
       integer :: worst, field
 
-      audit%finding = not_finite(model, state)
+      audit%finding = processes%first_text(not_finite(model, state))
       if (len(audit%finding) > 0) return
-      audit%finding = not_prescribed(model, state, loading)
-      if (len(audit%finding) == 0) audit%finding = not_rigid(model, state)
-      extent = maxval(maxval(model%x, 2) - minval(model%x, 2))
-      potential = maxval(abs(state%value(current_slot, :)))
+      audit%finding = processes%first_text(not_prescribed(processes, model, state, loading))
+      if (len(audit%finding) == 0) audit%finding = not_rigid(processes, model, state)
+      extent = maxval(processes%largest(maxval(model%x, 2)) + processes%largest(-minval(model%x, 2)))
+      potential = processes%largest(maxval(abs(state%value(current_slot, :))))
       ! twice what is left over, which has round-off itself
-      power = max(sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat)) &
-         + sum(abs(state%surface_contacts%joule_heat)), &
-         2*power_left_over(state, residual(field_potential, :))/allowed_imbalance)
+      power = max(processes%sum(sum(abs(state%joule_heat)) + sum(abs(state%contacts%joule_heat)) &
+         + sum(abs(state%surface_contacts%joule_heat))), &
+         2*power_left_over(processes, state, residual(field_potential, :))/allowed_imbalance)
       if (len(audit%finding) == 0) audit%finding = not_finite_stiffness(model, scales)
-      total_round_off = sum(scales%round_off, 2)
+      total_round_off = processes%sum(sum(processes%own_part(scales%round_off), 2))
       call weigh_nodes('forces', residual(field_displacement, :), field_displacement, audit%force)
       call weigh_nodes('moments', residual(field_rotation, :), field_rotation, audit%moment)
-      call weigh('the forces on the model do not balance', norm2(force_imbalance(state)), &
+      call weigh('the forces on the model do not balance', norm2(force_imbalance(processes, state)), &
          scales%reference(field_displacement), total_round_off(field_displacement), audit%force)
-      call weigh('the moments on the model do not balance', norm2(moment_imbalance(model, state)), &
+      call weigh('the moments on the model do not balance', norm2(moment_imbalance(processes, model, state)), &
          scales%reference(field_rotation) + scales%reference(field_displacement)*extent, &
          total_round_off(field_rotation) + total_round_off(field_displacement)*extent, audit%moment)
-      call weigh_nodes('currents', abs(current_imbalance(model, state)), field_potential, audit%current)
+      call weigh_nodes('currents', abs(current_imbalance(processes, model, state)), field_potential, audit%current)
       if (size(state%contacts) > 0) then
          associate (spots => abs(spot_imbalance(state%contacts)))
             worst = maxloc(spots, 1)
@@ -100,13 +102,14 @@ contains
                spots(worst), scales%reference(field_potential), total_round_off(field_potential), audit%current)
          end associate
       end if
-      call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(state)), power, &
+      call weigh('the power of the supports is not the Joule heat', abs(power_imbalance(processes, state)), power, &
          total_round_off(field_potential)*potential, audit%power)
       not_shown = 0
       call weigh('the heat that leaves the wires or is stored is not that which is made in them', &
-         abs(heat_imbalance(state)), sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
+         abs(heat_imbalance(processes, state)), &
+         processes%sum(sum(abs(state%heat_made) + abs(state%surface_heat) + abs(state%heat_stored)) &
          + sum(abs(state%contacts%heat_bar) + abs(state%contacts%heat)) + sum(abs(state%surface_contacts%heat)) &
-         + sum(abs(state%reaction(heat_slot, :))), &
+         + sum(abs(processes%own_part(state%reaction(heat_slot, :))))), &
          total_round_off(field_temperature), &
          not_shown)
       do field = 1, n_fields
@@ -122,6 +125,7 @@ contains
       if (audit%penetration > allowed_penetration .and. len(audit%finding) == 0) then
          audit%finding = describe_overlap(model, state%contacts(audit%deepest))
       end if
+      call share_audit(processes, audit)
 
    contains
 
@@ -162,6 +166,21 @@ contains
       end subroutine weigh
 
    end function audit_increment
+
+   !> The worst figures of all processes, and what the first one has found.
+   subroutine share_audit(processes, audit)
+      class(communicator_t), intent(in) :: processes
+      type(audit_t), intent(inout) :: audit
+      real(dp) :: worst(5)
+
+      worst = processes%largest([audit%force, audit%moment, audit%current, audit%power, audit%penetration])
+      audit%force = worst(1)
+      audit%moment = worst(2)
+      audit%current = worst(3)
+      audit%power = worst(4)
+      audit%penetration = worst(5)
+      audit%finding = processes%first_text(audit%finding)
+   end subroutine share_audit
 
    !> A failed audit ends the run.
    pure function audit_error(state, audit) result(error)
@@ -229,7 +248,8 @@ contains
    end function contact_not_finite
 
    !> A value that is not the prescribed one, in words; empty: none. Rotations follow one another and are not compared.
-   pure function not_prescribed(model, state, loading) result(words)
+   function not_prescribed(processes, model, state, loading) result(words)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       type(loading_t), intent(in) :: loading
@@ -238,7 +258,7 @@ contains
       integer :: node, slot
 
       words = ''
-      present = largest_present(model, state, loading)
+      present = largest_present(processes, model, state, loading)
       do node = 1, model%n_nodes
          do slot = 1, n_slots
             associate (field => fields(field_of_slot(slot)), value => state%value(slot, node), &
@@ -258,7 +278,8 @@ contains
    end function not_prescribed
 
    !> A node that is not where its rigid body takes it, in words; empty: none.
-   pure function not_rigid(model, state) result(words)
+   function not_rigid(processes, model, state) result(words)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       character(len=:), allocatable :: words
@@ -267,7 +288,7 @@ contains
 
       words = ''
       associate (u => state%value(first_slot(field_displacement):last_slot(field_displacement), :))
-         largest = max(maxval(abs(model%x)), maxval(abs(u)))
+         largest = processes%largest(max(maxval(abs(model%x)), maxval(abs(u))))
          do i = 1, size(model%rigid_bodies)
             associate (r => model%rigid_bodies(i)%reference_node, n_tied => size(model%rigid_bodies(i)%tied), &
                nodes => [model%rigid_bodies(i)%tied, model%rigid_bodies(i)%pinned])
@@ -293,7 +314,8 @@ contains
 
    !> The largest values of each field, at present and when the step began; with displacements the coordinates, whose
    !> round-off they have.
-   pure function largest_present(model, state, loading) result(largest)
+   function largest_present(processes, model, state, loading) result(largest)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       type(loading_t), intent(in) :: loading
@@ -307,6 +329,7 @@ contains
          end associate
       end do
       largest(field_displacement) = max(largest(field_displacement), maxval(abs(model%x)))
+      largest = processes%largest(largest)
    end function largest_present
 
    !> The largest value of a field that the steps so far have prescribed.
@@ -331,31 +354,35 @@ contains
    end function largest_prescribed
 
    !> Sum of what supports and loads do to the model [N].
-   pure function force_imbalance(state) result(total)
+   function force_imbalance(processes, state) result(total)
+      class(communicator_t), intent(in) :: processes
       type(state_t), intent(in) :: state
       real(dp) :: total(3)
 
       associate (first => first_slot(field_displacement), last => last_slot(field_displacement))
-         total = sum(state%reaction(first:last, :) + state%load(first:last, :) &
-            + state%outer_force(first:last, :), 2)
+         total = processes%sum(sum(processes%own_part(state%reaction(first:last, :) + state%load(first:last, :) &
+            + state%outer_force(first:last, :)), 2))
       end associate
    end function force_imbalance
 
    !> The same for moments, about the centre of the nodes in their present places [N m].
-   pure function moment_imbalance(model, state) result(total)
+   function moment_imbalance(processes, model, state) result(total)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
       real(dp) :: total(3), centre(3), x(3, model%n_nodes), force(n_slots)
       integer :: node
 
       x = model%x + state%value(first_slot(field_displacement):last_slot(field_displacement), :)
-      centre = sum(x, 2)/model%n_nodes
+      centre = processes%sum(sum(processes%own_part(x), 2))/processes%count_nodes(model%n_nodes)
       total = 0
       do node = 1, model%n_nodes
+         if (.not. processes%owns(node)) cycle
          force = state%reaction(:, node) + state%load(:, node) + state%outer_force(:, node)
          total = total + force(first_slot(field_rotation):last_slot(field_rotation)) + cross(x(:, node) - centre, &
             force(first_slot(field_displacement):last_slot(field_displacement)))
       end do
+      total = processes%sum(total)
    end function moment_imbalance
 
    !> A contact whose axes are on the wrong side of each other, where the deck does not allow that; 0: none.

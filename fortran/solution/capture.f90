@@ -1,5 +1,6 @@
 !> The converged iterate as a state: fields for the results and the start of the next increment.
 module litz_capture
+   use litz_communicator, only: communicator_t
    use litz_fields, only: field_displacement, field_potential, field_rotation, first_slot, last_slot, motion_slots
    use litz_grounding, only: find_connected
    use litz_kinds, only: dp
@@ -20,13 +21,16 @@ contains
       integer :: i, node
       logical :: connected(problem%model%n_nodes)
 
-      energies = problem%state%energies
+      ! what is there already counts once
+      energies = energies_t()
+      if (problem%processes%process == 1) energies = problem%state%energies
       energies%strain = 0
       energies%contact = 0
       energies%work = energies%work + work_of_increment(problem)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%add_energies(problem%domain_t, energies)
       end do
+      call sum_energies(problem%processes, energies)
       associate (state => problem%state, iterate => problem%iterate, loading => problem%loading, &
          internal => problem%forces%internal, first => first_slot(field_rotation), last => last_slot(field_rotation))
          state%energies = energies
@@ -45,8 +49,8 @@ contains
          state%line_load = 0
          loading%converged_value = loading%value
          associate (x => first_slot(field_displacement), z => last_slot(field_displacement))
-            loading%largest_motion = max(loading%largest_motion, maxval(abs(loading%value(x:z, :)), &
-               mask=loading%prescribed(x:z, :)))
+            loading%largest_motion = problem%processes%largest(max(loading%largest_motion, &
+               maxval(abs(loading%value(x:z, :)), mask=loading%prescribed(x:z, :))))
          end associate
          loading%converged_ramp = loading%ramp
          loading%converged_time = loading%time
@@ -59,6 +63,17 @@ contains
       problem%state%has_potential = merge(1.0_dp, 0.0_dp, connected)
       if (problem%state%has_section_results) call find_section_strains(problem)
    end subroutine capture_state
+
+   subroutine sum_energies(processes, energies)
+      class(communicator_t), intent(in) :: processes
+      type(energies_t), intent(inout) :: energies
+      real(dp) :: total(7)
+
+      total = processes%sum([energies%work, energies%strain, energies%contact, energies%friction, energies%yielding, &
+         energies%stabilization, energies%thermal])
+      energies = energies_t(work=total(1), strain=total(2), contact=total(3), friction=total(4), yielding=total(5), &
+         stabilization=total(6), thermal=total(7))
+   end subroutine sum_energies
 
    !> What supports and loads have done: mean force times displacement, mean moment times rotation.
    pure real(dp) function work_of_increment(problem) result(work)
@@ -74,7 +89,7 @@ contains
       associate (first => motion_slots(1), last => motion_slots(2), state => problem%state, &
          loading => problem%loading, internal => problem%forces%internal)
          do node = 1, problem%model%n_nodes
-            if (has_local_axes(node)) cycle
+            if (has_local_axes(node) .or. .not. problem%processes%owns(node)) cycle
             outer_start = state%reaction(first:last, node) + state%load(first:last, node)
             outer = merge(internal(first:last, node), loading%load(first:last, node), loading%fixed(first:last, node))
             work = work + dot_product(outer_start + outer, problem%iterate%change(first:last, node))/2

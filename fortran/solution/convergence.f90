@@ -4,6 +4,7 @@
 module litz_convergence
    use litz_kinds, only: dp
    use litz_audit, only: scales_t, vanishing
+   use litz_communicator, only: communicator_t
    use litz_fields, only: fields, n_fields, first_slot, last_slot, field_displacement, field_potential
    use litz_model, only: model_t, step_t
    use litz_problem, only: problem_t
@@ -48,25 +49,46 @@ contains
                if (part <= worst(field) .or. .not. worst(field) <= huge(part)) cycle
                worst(field) = part
                report%residual(field) = r
-               report%residual_node(field) = node
+               report%residual_node(field) = problem%model%node_id(node)
                report%allowed(field) = allowed
             end associate
          end do
       end do
+      at_round_off = problem%processes%any(at_round_off)
+      call take_worst(problem%processes, worst, report)
    end subroutine measure_residual
+
+   !> Of each field the worst node of all processes.
+   subroutine take_worst(processes, worst, report)
+      class(communicator_t), intent(in) :: processes
+      !> Largest part of the allowed residual in this process; out: in all (n_fields)
+      real(dp), intent(inout) :: worst(:)
+      type(iteration_report_t), intent(inout) :: report
+      real(dp) :: there(3)
+      integer :: field
+
+      do field = 1, n_fields
+         there = [report%residual(field), report%allowed(field), real(report%residual_node(field), dp)]
+         call processes%take_largest(worst(field), there)
+         report%residual(field) = there(1)
+         report%allowed(field) = there(2)
+         report%residual_node(field) = nint(there(3))
+      end do
+   end subroutine take_worst
 
    !> The loads of an increment have changed, but by less than what round-off makes of the forces at its start. These
    !> count as balanced as they are, and what has changed is a matter of one linear solution.
-   pure logical function vanishes_in_round_off(problem, step) result(vanishes)
+   logical function vanishes_in_round_off(problem, step) result(vanishes)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
       type(scales_t) :: scales
       real(dp), allocatable :: change(:, :)
       integer :: field
 
-      vanishes = .false.
       associate (load => problem%loading%load)
-         if (size(step%element_loads) == 0 .and. .not. any(abs(load - problem%state%load) > 0)) return
+         vanishes = problem%processes%any(size(step%element_loads) > 0 .or. any(abs(load - problem%state%load) > 0))
+         if (.not. vanishes) return
+         vanishes = .false.
          scales = measure_scales(problem)
          change = abs(load - problem%forces%internal - left_before(problem))
       end associate
@@ -76,6 +98,7 @@ contains
                max(max(step%controls%r_n, worth_reporting)*scales%reference(field), vanishing))
          end associate
       end do
+      vanishes = problem%processes%any(vanishes)
    end function vanishes_in_round_off
 
    !> What the last increment has left over of its loads (n_slots, n_nodes), at the start of the next one. Behind a
@@ -156,7 +179,7 @@ contains
    end function part_of
 
    !> What residuals are measured by: the largest forces at any node, and the round-off at each.
-   pure function measure_scales(problem) result(scales)
+   function measure_scales(problem) result(scales)
       type(problem_t), intent(in) :: problem
       type(scales_t) :: scales
       integer :: field
@@ -170,6 +193,7 @@ contains
             end associate
          end do
       end associate
+      scales%reference = problem%processes%largest(scales%reference)
    end function measure_scales
 
    !> The fields of the groups up to this one are within their tolerances.
@@ -204,14 +228,17 @@ contains
    end function part_of_allowed
 
    !> The second criterion of *CONTROLS, asked for with a non-zero C_n.
-   pure logical function corrections_small(step, change, report)
+   logical function corrections_small(processes, step, change, report)
+      class(communicator_t), intent(in) :: processes
       type(step_t), intent(in) :: step
       !> Sum of the corrections since the increment began (n_slots, n_nodes)
       real(dp), intent(in) :: change(:, :)
       type(iteration_report_t), intent(in) :: report
 
-      corrections_small = step%controls%c_n <= 0 .or. report%correction(field_displacement) <= step%controls%c_n &
-         *maxval(abs(change(first_slot(field_displacement):last_slot(field_displacement), :)))
+      corrections_small = step%controls%c_n <= 0
+      if (corrections_small) return
+      corrections_small = report%correction(field_displacement) <= step%controls%c_n &
+         *processes%largest(maxval(abs(change(first_slot(field_displacement):last_slot(field_displacement), :))))
    end function corrections_small
 
    !> Why the iteration limit was met: the field that is farthest from its tolerance. Voltages that are found after the
@@ -230,8 +257,7 @@ contains
       text = 'the largest '//trim(fields(field)%flux_in_words)//' residual is'// &
          in_short(report%residual(field))//model%units%after(trim(fields(field)%flux_unit))// &
          ', allowed are'//in_short(report%allowed(field))//', after '//to_text(report%iteration)//' iterations'
-      if (report%residual_node(field) > 0) text = text//', at node '// &
-         to_text(model%node_id(report%residual_node(field)))
+      if (report%residual_node(field) > 0) text = text//', at node '//to_text(report%residual_node(field))
    end function worst_field
 
    !> A number of three digits. An exponent of three digits keeps its E.

@@ -2,6 +2,7 @@
 !>
 !> Source: theory section 8, the invariants of every run.
 module litz_flow_balances
+   use litz_communicator, only: communicator_t
    use litz_fields, only: first_slot, field_potential, field_temperature
    use litz_kinds, only: dp
    use litz_model, only: model_t
@@ -15,13 +16,15 @@ module litz_flow_balances
 contains
 
    !> Kirchhoff's law: current that enters each node from outside less what leaves it into elements and spots [A].
-   pure function current_imbalance(model, state) result(left)
+   function current_imbalance(processes, model, state) result(left)
+      class(communicator_t), intent(in) :: processes
       type(model_t), intent(in) :: model
       type(state_t), intent(in) :: state
-      real(dp) :: left(model%n_nodes)
+      real(dp) :: left(model%n_nodes), of_all(1, model%n_nodes)
       integer :: i
 
-      left = state%reaction(current_slot, :) + state%load(current_slot, :) + state%outer_force(current_slot, :)
+      left = processes%own_part(state%reaction(current_slot, :) + state%load(current_slot, :) &
+         + state%outer_force(current_slot, :))
       do i = 1, model%n_elements
          associate (node => model%connectivity(:, i))
             left(node(1)) = left(node(1)) - state%element_current(i)
@@ -43,6 +46,9 @@ contains
             end associate
          end associate
       end do
+      of_all(1, :) = left
+      call processes%add_shared(of_all)
+      left = of_all(1, :)
 
    contains
 
@@ -71,30 +77,37 @@ contains
    end function spot_imbalance
 
    !> `sum V I` over what comes in, less the heat in elements and spots [W].
-   pure real(dp) function power_imbalance(state) result(left)
+   real(dp) function power_imbalance(processes, state) result(left)
+      class(communicator_t), intent(in) :: processes
       type(state_t), intent(in) :: state
 
-      left = sum(state%value(current_slot, :)*(state%reaction(current_slot, :) + state%load(current_slot, :))) &
-         - sum(state%joule_heat) - sum(state%contacts%joule_heat) - sum(state%surface_contacts%joule_heat)
+      left = processes%sum(sum(processes%own_part(state%value(current_slot, :)*(state%reaction(current_slot, :) &
+         + state%load(current_slot, :)))) &
+         - sum(state%joule_heat) - sum(state%contacts%joule_heat) - sum(state%surface_contacts%joule_heat))
    end function power_imbalance
 
    !> What comes in at nodes and on the length of the wires and is not stored [W].
-   pure real(dp) function heat_imbalance(state) result(left)
+   real(dp) function heat_imbalance(processes, state) result(left)
+      class(communicator_t), intent(in) :: processes
       type(state_t), intent(in) :: state
 
-      left = sum(state%reaction(heat_slot, :) + state%load(heat_slot, :) + state%outer_force(heat_slot, :)) &
+      left = sum(processes%own_part(state%reaction(heat_slot, :) + state%load(heat_slot, :) &
+         + state%outer_force(heat_slot, :))) &
          + sum(state%heat_made) &
          + sum(state%contacts%heat_bar + state%contacts%heat) - sum(state%surface_heat) - sum(state%heat_stored) &
          + sum(state%surface_contacts%heat + state%surface_contacts%heat_of_surface)
+      left = processes%sum(left)
    end function heat_imbalance
 
    !> What the currents that are left over, and the round-off of those fed in, make of the power at most [W].
-   pure real(dp) function power_left_over(state, residual) result(left)
+   real(dp) function power_left_over(processes, state, residual) result(left)
+      class(communicator_t), intent(in) :: processes
       type(state_t), intent(in) :: state
       !> Current that is left over at each node (n_nodes) [A]
       real(dp), intent(in) :: residual(:)
 
-      left = sum(abs(state%value(current_slot, :))*(residual + epsilon(1.0_dp)*abs(state%load(current_slot, :))))
+      left = processes%sum(sum(processes%own_part(abs(state%value(current_slot, :)) &
+         *(residual + epsilon(1.0_dp)*abs(state%load(current_slot, :))))))
    end function power_left_over
 
 end module litz_flow_balances

@@ -9,6 +9,7 @@ module litz_grounding
    use litz_kinds, only: dp
    use litz_errors, only: error_t, fail, exit_input
    use litz_fields, only: fields, n_fields, field_temperature, dof_range, first_slot
+   use litz_joined_parts, only: parts_t
    use litz_linear_solver, only: csr_matrix_t
    use litz_problem, only: problem_t
    use litz_text, only: to_text
@@ -30,7 +31,9 @@ contains
          if (.not. fields(field)%is_level) cycle
          if (problem%equations%count(fields(field)%group) > 0) call ground_field(problem, field)
       end do
-      if (problem%fed_node > 0 .and. .not. may_close(problem)) error = fail(exit_input, describe_fed_part(problem))
+      problem%is_fed = problem%processes%any(problem%fed_node > 0)
+      if (.not. problem%is_fed) return
+      if (.not. may_close(problem)) error = fail(exit_input, describe_fed_part(problem))
    end subroutine ground_floating_parts
 
    !> Contacts that may close yet could lead the flux to what is prescribed.
@@ -44,6 +47,14 @@ contains
 
    !> Into what a flux is fed that floats; empty: nothing.
    function describe_fed_part(problem) result(text)
+      type(problem_t), intent(in) :: problem
+      character(len=:), allocatable :: text
+
+      text = problem%processes%first_text(describe_own_part(problem))
+   end function describe_fed_part
+
+   !> The same, if the node is one of this process.
+   function describe_own_part(problem) result(text)
       type(problem_t), intent(in) :: problem
       character(len=:), allocatable :: text
       integer :: surface
@@ -70,7 +81,7 @@ contains
          text = 'a '//trim(field%flux_in_words)//' is fed into the conductor at node '// &
             to_text(problem%model%node_id(problem%fed_node))//', which has no path to a prescribed '//trim(field%name)
       end associate
-   end function describe_fed_part
+   end function describe_own_part
 
    !> Which nodes have a path to a prescribed value of a field.
    subroutine find_connected(problem, field, connected)
@@ -79,20 +90,22 @@ contains
       integer, intent(in) :: field
       !> (n_nodes)
       logical, intent(out) :: connected(:)
-      integer :: root(size(connected)), i
+      type(parts_t) :: parts
+      integer :: i
       logical, dimension(size(connected)) :: prescribed, of_part
 
-      call find_parts(problem, field, root)
+      call find_parts(problem, field, parts)
       prescribed = problem%loading%fixed(first_slot(field), :)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%hold(problem%domain_t, field, prescribed)
       end do
       of_part = .false.
       do i = 1, size(connected)
-         if (prescribed(i)) of_part(find_root(root, i)) = .true.
+         if (prescribed(i)) of_part(parts%find(i)) = .true.
       end do
+      call parts%any_of_pieces(problem%processes, of_part)
       do i = 1, size(connected)
-         connected(i) = of_part(find_root(root, i))
+         connected(i) = of_part(parts%find(i))
       end do
    end subroutine find_connected
 
@@ -100,11 +113,12 @@ contains
       type(problem_t), intent(inout) :: problem
       !> One of the fields of litz_fields, with one component
       integer, intent(in) :: field
-      integer :: root(problem%model%n_nodes), i, node, row
+      type(parts_t) :: parts
+      integer :: i, node, row
       logical, dimension(problem%model%n_nodes) :: held, held_node
-      real(dp) :: fed(problem%model%n_nodes), scale
+      real(dp) :: fed(problem%model%n_nodes), scale, least
 
-      call find_parts(problem, field, root)
+      call find_parts(problem, field, parts)
       held_node = .false.
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%hold(problem%domain_t, field, held_node)
@@ -115,19 +129,23 @@ contains
          associate (block => problem%matrix%block(group, group), load => problem%loading%load(slot, :), &
             fixed => problem%loading%fixed(slot, :))
             do node = 1, problem%model%n_nodes
-               i = find_root(root, node)
+               i = parts%find(node)
                held(i) = held(i) .or. fixed(node) .or. held_node(node)
-               fed(i) = fed(i) + load(node)
+               if (problem%processes%owns(node)) fed(i) = fed(i) + load(node)
             end do
-            scale = max(maxval(abs(block%value)), tiny(1.0_dp))
+            call parts%any_of_pieces(problem%processes, held)
+            call parts%sum_of_pieces(problem%processes, fed)
+            least = epsilon(1.0_dp)*problem%processes%sum(sum(abs(problem%processes%own_part(load))))
+            scale = max(problem%processes%largest(maxval(abs(block%value))), tiny(1.0_dp))
+            call hold_other_pieces(problem, parts, slot, held)
             do node = 1, problem%model%n_nodes
                row = problem%equations%number(slot, node)
-               if (row == 0) cycle
-               i = find_root(root, node)
+               if (row == 0 .or. .not. problem%processes%owns(node)) cycle
+               i = parts%find(node)
                if (held(i)) cycle
                ! heat is made inside, too
                if (field == field_temperature) fed(i) = huge(fed)
-               if (abs(fed(i)) > epsilon(1.0_dp)*sum(abs(load)) .and. problem%fed_node == 0) then
+               if (abs(fed(i)) > least .and. problem%fed_node == 0) then
                   if (field /= field_temperature .and. .not. abs(load(node)) > 0) cycle
                   problem%fed_node = node
                   problem%fed_field = field
@@ -144,6 +162,33 @@ contains
       end associate
    end subroutine ground_field
 
+   !> Of a part that floats and is on several processes one piece with an unknown is grounded, a loaded one if there is.
+   subroutine hold_other_pieces(problem, parts, slot, held)
+      type(problem_t), intent(in) :: problem
+      type(parts_t), intent(inout) :: parts
+      !> Of the field
+      integer, intent(in) :: slot
+      !> Of representatives: the part needs no ground (n_nodes)
+      logical, intent(inout) :: held(:)
+      logical, dimension(size(held)) :: is_free, is_loaded, has_loaded
+      integer :: node, i
+
+      if (problem%processes%n_processes == 1) return
+      is_free = .false.
+      is_loaded = .false.
+      do node = 1, size(held)
+         if (problem%equations%number(slot, node) == 0 .or. .not. problem%processes%owns(node)) cycle
+         i = parts%find(node)
+         is_free(i) = .true.
+         is_loaded(i) = is_loaded(i) .or. abs(problem%loading%load(slot, node)) > 0
+      end do
+      has_loaded = is_loaded
+      call parts%any_of_pieces(problem%processes, has_loaded)
+      is_free = is_free .and. (is_loaded .or. .not. has_loaded)
+      call parts%keep_first_piece(problem%processes, is_free)
+      held = held .or. .not. is_free
+   end subroutine hold_other_pieces
+
    pure subroutine add_to_diagonal(block, row, value)
       type(csr_matrix_t), intent(inout) :: block
       !> Row
@@ -158,48 +203,22 @@ contains
    end subroutine add_to_diagonal
 
    !> Join the nodes between which the flux of a field can pass.
-   subroutine find_parts(problem, field, root)
+   subroutine find_parts(problem, field, parts)
       type(problem_t), intent(in) :: problem
       !> One of the fields of litz_fields
       integer, intent(in) :: field
-      !> For each node one of its part nearer to the representative, which has itself (n_nodes)
-      integer, intent(out) :: root(:)
+      type(parts_t), intent(out) :: parts
       integer, allocatable :: pairs(:, :)
       integer :: i, k
 
-      root = [(i, i=1, size(root))]
+      call parts%start(problem%model%n_nodes)
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%link(problem%domain_t, field, pairs)
          do k = 1, size(pairs, 2)
-            call join(root, pairs(1, k), pairs(2, k))
+            call parts%join(pairs(1, k), pairs(2, k))
          end do
       end do
+      call parts%join_processes(problem%processes)
    end subroutine find_parts
-
-   !> Representative of the part that a node belongs to; paths are halved on the way.
-   integer function find_root(root, node) result(i)
-      !> As of `find_parts` (n_nodes)
-      integer, intent(inout) :: root(:)
-      !> Node
-      integer, intent(in) :: node
-
-      i = node
-      do while (root(i) /= i)
-         root(i) = root(root(i))
-         i = root(i)
-      end do
-   end function find_root
-
-   subroutine join(root, a, b)
-      !> As for `find_root` (n_nodes)
-      integer, intent(inout) :: root(:)
-      !> Two nodes
-      integer, intent(in) :: a, b
-      integer :: i, j
-
-      i = find_root(root, a)
-      j = find_root(root, b)
-      root(max(i, j)) = min(i, j)
-   end subroutine join
 
 end module litz_grounding

@@ -50,6 +50,7 @@ contains
       do i = 1, size(problem%terms)
          if (problem%terms(i)%term%has_mutual_tangent(group)) has_mutual_tangent = .true.
       end do
+      has_mutual_tangent = problem%processes%any(has_mutual_tangent)
    end function has_mutual_tangent
 
    !> Leave the other fields of a group as they are: their equations become `x = 0`.

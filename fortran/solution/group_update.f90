@@ -51,7 +51,8 @@ contains
       real(dp), intent(in) :: correction
 
       associate (temperature => problem%iterate%value(first_slot(field_temperature), :))
-         problem%is_far = correction > near*maxval(abs(temperature - problem%model%absolute_zero))
+         problem%is_far = correction > near*problem%processes%largest(maxval(abs(temperature &
+            - problem%model%absolute_zero)))
       end associate
    end subroutine note_distance
 
@@ -88,7 +89,7 @@ contains
       end associate
       do field = 1, n_fields
          if (fields(field)%group == group .and. (free == 0 .or. free == field)) report%correction(field) = &
-            maxval(abs(correction(first_slot(field):last_slot(field), :)))
+            problem%processes%largest(maxval(abs(correction(first_slot(field):last_slot(field), :))))
       end do
       call evaluate(problem, error, motions_stand=.true.)
    end subroutine update_fields

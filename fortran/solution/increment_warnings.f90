@@ -191,8 +191,9 @@ contains
             state%temperature_before, state%temperature_earlier], [size(is_free), 3]))
          if (is_alone) then
             allowed = step%largest_error
-            if (.not. allowed > 0) allowed = least_share*maxval(abs(state%value(slot, :) - problem%model%absolute_zero))
-            error = maxval([0.0_dp, largest_part*abs(change(:, 1))], [.true., is_free])
+            if (.not. allowed > 0) allowed = least_share*problem%processes%largest(maxval(abs(state%value(slot, :) &
+               - problem%model%absolute_zero)))
+            error = problem%processes%largest(maxval([0.0_dp, largest_part*abs(change(:, 1))], [.true., is_free]))
             if (error > allowed) call problem%warnings%add('first_increment', 'the step over time is a single'// &
                ' increment, which tells nothing of its error: temperatures that come to rest within it may be off'// &
                ' by 30 % of their change, '//to_text(error)//label//' of the largest one, those that change evenly'// &
@@ -202,8 +203,8 @@ contains
          end if
          associate (h => state%time_increment, h1 => state%time_increment_before)
             ! h1^2/2 T'', by the rates at the end of either increment
-            error = maxval([0.0_dp, min(largest_part*abs(change(:, 2)), h1**2/(2*h)*(h1 + 2*h)/(h1 + h) &
-               *abs(change(:, 1)/h - change(:, 2)/h1))], [.true., is_free])
+            error = problem%processes%largest(maxval([0.0_dp, min(largest_part*abs(change(:, 2)), h1**2/(2*h) &
+               *(h1 + 2*h)/(h1 + h)*abs(change(:, 1)/h - change(:, 2)/h1))], [.true., is_free]))
          end associate
          if (error > step%largest_error) call problem%warnings%add('first_increment', 'the first increment has'// &
             ' added an error of about '//to_text(error)//label//', where ERROR='//to_text(step%largest_error)// &
@@ -224,7 +225,7 @@ contains
       scales = measure_scales(problem)
       tolerance = max(allowed_imbalance, problem%model%steps(problem%state%step)%controls%r_n)
       do field = 1, n_fields
-         least = maxval(scales%round_off(field, :))
+         least = problem%processes%largest(maxval(scales%round_off(field, :)))
          if (fields(field)%is_level) least = no_flow*least
          if (scales%reference(field) <= max(vanishing, least)) then
             call add_lost(problem, field, scales)
@@ -246,20 +247,21 @@ contains
       integer, intent(in) :: field
       type(scales_t), intent(in) :: scales
       character(len=:), allocatable :: what
-      real(dp) :: load, moved
+      real(dp) :: load, moved, extent
       integer :: i
 
       associate (loading => problem%loading, first => first_slot(field), last => last_slot(field), &
          step => problem%model%steps(problem%state%step), units => problem%model%units, named => fields(field))
-         load = maxval(abs(loading%load(first:last, :)))
+         load = problem%processes%largest(maxval(abs(loading%load(first:last, :))))
+         extent = problem%processes%largest(maxval(abs(problem%model%x)))
          moved = 0
          if (field == field_displacement) then
-            do i = 1, size(step%element_loads)
-               if (any(abs(step%element_loads(i)%value) > 0)) load = max(load, scales%reference(field))
-            end do
-            moved = maxval(abs(loading%value(first:last, :)), mask=loading%prescribed(first:last, :))
+            if (problem%processes%any(any([(any(abs(step%element_loads(i)%value) > 0), &
+               i=1, size(step%element_loads))]))) load = max(load, scales%reference(field))
+            moved = problem%processes%largest(maxval(abs(loading%value(first:last, :)), &
+               mask=loading%prescribed(first:last, :)))
             ! a value that passes zero, or has come back to it, is round-off of its way there
-            if (loading%largest_motion > lost_motion*epsilon(1.0_dp)*maxval(abs(problem%model%x))) moved = 0
+            if (loading%largest_motion > lost_motion*epsilon(1.0_dp)*extent) moved = 0
          end if
          if (load > vanishing) then
             what = 'loads of at most '//to_text(load)//units%after(trim(named%flux_unit))
@@ -269,7 +271,8 @@ contains
             return
          end if
          call problem%warnings%add('round_off', what//' are lost in the round-off of the '// &
-            trim(named%flux_in_words)//' at a node, '//to_text(maxval(scales%round_off(field, :)))// &
+            trim(named%flux_in_words)//' at a node, '// &
+            to_text(problem%processes%largest(maxval(scales%round_off(field, :))))// &
             units%after(trim(named%flux_unit))//': motions are those of linear solutions, and reactions, forces in'// &
             ' wires and contacts have no digits', value=100.0_dp, unit='%')
       end associate
@@ -472,21 +475,23 @@ contains
    contains
 
       !> Current that enters the body at the nodes of a set [A].
-      pure real(dp) function current_into(set)
+      real(dp) function current_into(set)
          !> Index of the node set
          integer, intent(in) :: set
 
          associate (nodes => problem%model%node_sets(set)%members)
-            current_into = sum(problem%state%reaction(slot, nodes) + problem%state%load(slot, nodes))
+            current_into = problem%processes%sum(sum(problem%state%reaction(slot, nodes) &
+               + problem%state%load(slot, nodes)))
          end associate
       end function current_into
 
       !> Round-off in it [A].
-      pure real(dp) function round_off_at(set)
+      real(dp) function round_off_at(set)
          !> Index of the node set
          integer, intent(in) :: set
 
-         round_off_at = sum(scales%round_off(field_potential, problem%model%node_sets(set)%members))
+         round_off_at = problem%processes%sum(sum(scales%round_off(field_potential, &
+            problem%model%node_sets(set)%members)))
       end function round_off_at
 
    end subroutine add_third_electrodes

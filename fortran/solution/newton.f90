@@ -76,7 +76,7 @@ contains
          if (outcome%in_turn == 1) then
             call evaluate_for_step(problem, error)
             if (allocated(error)) return
-            if (outcome%iterations == 0) outcome%fed_at_start = problem%fed_node > 0
+            if (outcome%iterations == 0) outcome%fed_at_start = problem%is_fed
             call measure_residual(problem, step, outcome%last, outcome%at_round_off)
          end if
          if (outcome%in_turn == 1) call outcome%note_residual()
@@ -87,7 +87,7 @@ contains
          if (.not. carries_prescribed(problem)) then
             call settle(problem, step, outcome, error)
             if (allocated(error)) return
-            if (problem%fed_node > 0 .and. has_converged(outcome%last, 1)) then
+            if (problem%is_fed .and. has_converged(outcome%last, 1)) then
                call give_up(outcome, cause_fed_part, describe_fed_part(problem))
                return
             end if
@@ -118,7 +118,7 @@ contains
          end if
          if (.not. (carries_prescribed(problem) .or. only_change) .and. &
             all(outcome%last%residual <= outcome%last%allowed)) then
-            if (corrections_small(step, problem%iterate%change, outcome%last)) then
+            if (corrections_small(problem%processes, step, problem%iterate%change, outcome%last)) then
                ! what the other groups have changed since may have come last
                if (problem%scheme%is_swept) call settle(problem, step, outcome, error)
                if (allocated(error)) return
@@ -227,10 +227,10 @@ contains
    end subroutine prescribe
 
    !> The next correction has prescribed values in it.
-   pure logical function carries_prescribed(problem)
+   logical function carries_prescribed(problem)
       type(problem_t), intent(in) :: problem
 
-      carries_prescribed = any(abs(problem%iterate%prescribed) > 0)
+      carries_prescribed = problem%processes%any(any(abs(problem%iterate%prescribed) > 0))
    end function carries_prescribed
 
    !> Once the forces of the first group balance, terms bring up to date what they have held back; or before, when the
@@ -245,11 +245,12 @@ contains
       integer :: i
 
       has_moved = .false.
-      moves = any(problem%equations%number(first_slot_of_group(1):last_slot_of_group(1), :) > 0)
+      moves = problem%processes%any(any(problem%equations%number(first_slot_of_group(1):last_slot_of_group(1), :) > 0))
       if (has_converged(outcome%last, merge(1, n_groups, moves))) then
          do i = 1, size(problem%terms)
             call problem%terms(i)%term%settle(problem%domain_t, has_moved)
          end do
+         has_moved = problem%processes%any(has_moved)
          if (has_moved .and. outcome%to_balance == 0) then
             outcome%to_balance = outcome%factorisations
             outcome%counted = min(outcome%counted, step%controls%i_c - after_balance)
@@ -259,6 +260,7 @@ contains
             call problem%terms(i)%term%anticipate(problem%domain_t, outcome%last%residual(field_displacement), &
                has_moved)
          end do
+         has_moved = problem%processes%any(has_moved)
          if (has_moved .and. outcome%to_balance == 0) outcome%to_balance = outcome%factorisations + still_to_go
       end if
       if (.not. has_moved) return
@@ -277,6 +279,7 @@ contains
       do i = 1, size(problem%terms)
          if (len(reason) == 0) reason = problem%terms(i)%term%refusal(problem%domain_t)
       end do
+      reason = problem%processes%first_text(reason)
    end function refusal_of
 
    subroutine count_status(problem, report)
@@ -288,11 +291,13 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%count_status(status)
       end do
-      report%contacts_active = status%active
-      report%contacts_new = status%new
-      report%contacts_lost = status%lost
-      report%contact_force = status%force
-      report%penetration = status%penetration
+      associate (processes => problem%processes)
+         report%contacts_active = processes%sum(status%active)
+         report%contacts_new = processes%sum(status%new)
+         report%contacts_lost = processes%sum(status%lost)
+         report%contact_force = processes%sum(status%force)
+         report%penetration = processes%largest(status%penetration)
+      end associate
    end subroutine count_status
 
    !> Modified Newton: the factor at hand is good for another iteration. The first one of an increment continues
@@ -363,10 +368,11 @@ contains
          call problem%terms(i)%term%foresee(problem%domain_t, correction)
       end do
       eta = 1
-      if (.not. any(abs(problem%iterate%prescribed(:last_slot_of_group(1), :)) > 0)) then
+      if (.not. problem%processes%any(any(abs(problem%iterate%prescribed(:last_slot_of_group(1), :)) > 0))) then
          do i = 1, size(problem%terms)
             eta = min(eta, problem%terms(i)%term%bearable_fraction(problem%domain_t, step, correction))
          end do
+         eta = -problem%processes%largest(-eta)
       end if
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%predict(problem%domain_t, eta, correction)
@@ -376,7 +382,7 @@ contains
          merge(correction, eta*correction, problem%loading%fixed), 1)
       problem%iterate%prescribed = 0
       do field = 1, n_fields
-         call largest_column(eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
+         call largest_vector(problem, eta*correction(first_slot(field):last_slot(field), :), report%correction(field), &
             report%correction_node(field))
       end do
    end subroutine update
@@ -391,21 +397,27 @@ contains
       do i = 1, size(problem%terms)
          call problem%terms(i)%term%shorten(problem%domain_t, correction)
       end do
-      call note_distance(problem, maxval(abs(correction(temperature_slots(1), :))))
+      call note_distance(problem, problem%processes%largest(maxval(abs(correction(temperature_slots(1), :)))))
       if (problem%is_far) correction(first_slot_of_group(group_transport):, :) = 0
    end subroutine take_near
 
-   pure subroutine largest_column(values, largest_norm, column)
-      !> Vectors (components, n)
+   subroutine largest_vector(problem, values, largest_norm, node_id)
+      type(problem_t), intent(in) :: problem
+      !> Vectors (components, n_nodes)
       real(dp), intent(in) :: values(:, :)
       !> Euclidean norm of the largest vector, in the unit of the vectors
       real(dp), intent(out) :: largest_norm
-      !> Number of that vector
-      integer, intent(out) :: column
+      !> Number of its node in the deck
+      integer, intent(out) :: node_id
+      real(dp) :: id(1)
+      integer :: node
 
-      column = maxloc(sum(values**2, 1), 1)
-      largest_norm = norm2(values(:, column))
-   end subroutine largest_column
+      node = maxloc(sum(values**2, 1), 1)
+      largest_norm = norm2(values(:, node))
+      id = problem%model%node_id(node)
+      call problem%processes%take_largest(largest_norm, id)
+      node_id = nint(id(1))
+   end subroutine largest_vector
 
    !> Reject a converged state that is beyond a limit of the deck or no solution for some term, in which the ends of an
    !> element are turned against each other too far, or in which wires have passed through each other or overlap without
@@ -418,20 +430,23 @@ contains
       integer :: i
 
       do i = 1, size(problem%terms)
-         reason = problem%terms(i)%term%exceeded_limit(problem%domain_t)
+         reason = problem%processes%first_text(problem%terms(i)%term%exceeded_limit(problem%domain_t))
          if (len(reason) == 0) cycle
          call give_up(outcome, cause_exceeded_limit, reason)
          return
       end do
       do i = 1, size(problem%terms)
-         reason = problem%terms(i)%term%rejection(problem%domain_t)
+         reason = problem%processes%first_text(problem%terms(i)%term%rejection(problem%domain_t))
          if (len(reason) == 0) cycle
          call give_up(outcome, cause_no_solution, reason)
          return
       end do
       most = most_turned_ends(problem%model, problem%wires, problem%state%rotation, problem%iterate)
-      if (most%too_far()) then
-         call give_up(outcome, cause_turned_ends, most%describe(problem%model))
+      reason = ''
+      if (most%too_far()) reason = most%describe(problem%model)
+      reason = problem%processes%first_text(reason)
+      if (len(reason) > 0) then
+         call give_up(outcome, cause_turned_ends, reason)
          return
       end if
       outcome%finding = find_lost_contacts(problem)

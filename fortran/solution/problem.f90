@@ -1,5 +1,6 @@
 !> A model, the state that its run has reached, and all that an increment works on.
 module litz_problem
+   use litz_communicator, only: communicator_t, one_process_t
    use litz_contact_candidates, only: prepare_contact
    use litz_contact_points, only: contact_set_t
    use litz_domain, only: domain_t
@@ -30,7 +31,9 @@ module litz_problem
       !> The contacts, which one of the terms works on
       type(contact_set_t), pointer :: contact => null()
       type(scheme_t) :: scheme
-      !> Node at which a flux is fed into a part without a path to a prescribed value, and the field; 0: none
+      !> A flux is fed into a part without a path to a prescribed value
+      logical :: is_fed = .false.
+      !> The node where, if it is one of this process, and the field; 0: none
       integer :: fed_node = 0, fed_field = 0
       !> The solver holds a symmetric factor of a state that is not far from the present one
       logical :: has_factor = .false.
@@ -53,10 +56,17 @@ module litz_problem
 contains
 
    !> The undeformed model, before its first step.
-   subroutine prepare_problem(model, problem)
+   subroutine prepare_problem(model, problem, processes)
       type(model_t), intent(in) :: model
       type(problem_t), intent(inout) :: problem
+      !> Those that hold the model, of which this is what the present one has; absent: that has all
+      class(communicator_t), intent(in), optional :: processes
 
+      if (present(processes)) then
+         allocate (problem%processes, source=processes)
+      else
+         allocate (one_process_t :: problem%processes)
+      end if
       problem%model = model
       call build_wires(model, problem%wires)
       call prepare_elements(model, problem%wires, problem%elements)

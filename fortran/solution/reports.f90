@@ -14,11 +14,11 @@ module litz_reports
       integer :: iteration = 0
       !> Residual norms and their allowed values: force [N], moment [N m], current [A]
       real(dp) :: residual(n_fields) = 0, allowed(n_fields) = 0
-      !> The nodes where they are (internal indices; 0: none)
+      !> The nodes where they are (numbers of the deck; 0: none)
       integer :: residual_node(n_fields) = 0
       !> Largest corrections: displacement [m], rotation [rad], potential [V]
       real(dp) :: correction(n_fields) = 0
-      !> The nodes where they are (internal indices; 0: none)
+      !> The nodes where they are (numbers of the deck; 0: none)
       integer :: correction_node(n_fields) = 0
       integer :: contacts_active = 0, contacts_new = 0, contacts_lost = 0
       !> Sum of the forces of all active ones [N], and worst penetration [m], positive

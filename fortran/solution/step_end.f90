@@ -26,7 +26,7 @@ contains
    end function reaches_end
 
    !> The increment that has converged is the last one of the step. What amplitudes still have to bring keeps it going.
-   pure logical function step_is_over(problem, step)
+   logical function step_is_over(problem, step)
       type(problem_t), intent(in) :: problem
       type(step_t), intent(in) :: step
 
@@ -55,15 +55,15 @@ contains
    end function radii_lag
 
    !> Of a free temperature, the mean over the last increment [K/s]. What melts takes up heat as long as it does.
-   pure real(dp) function fastest_change(problem)
+   real(dp) function fastest_change(problem)
       type(problem_t), intent(in) :: problem
       real(dp), dimension(problem%model%n_nodes, 1) :: change
 
       associate (state => problem%state)
          change = changes_by_heat(problem%model, problem%elements%length, reshape([state%value(slot, :), &
             state%temperature_before], [problem%model%n_nodes, 2]))
-         fastest_change = max(0.0_dp, maxval(abs(change(:, 1)), problem%equations%number(slot, :) > 0)) &
-            /state%time_increment
+         fastest_change = problem%processes%largest(max(0.0_dp, maxval(abs(change(:, 1)), &
+            problem%equations%number(slot, :) > 0)))/state%time_increment
       end associate
    end function fastest_change
 

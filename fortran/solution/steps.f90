@@ -121,6 +121,7 @@ contains
       coupling = coupling_of(step)
       same_system = problem%scheme%is_same(kind, coupling)
       if (same_system) same_system = all(number_before == problem%equations%number)
+      same_system = .not. problem%processes%any(.not. same_system)
       if (.not. same_system) then
          call problem%scheme%create(kind, coupling, error)
          if (allocated(error)) return
@@ -274,8 +275,8 @@ contains
          end if
          call advance(problem, outcome, increment, target, start_time)
          problem%state%ends_step = step_is_over(problem, step)
-         audit = audit_increment(problem%model, problem%state, problem%loading, nodal_residual(problem), &
-            measure_scales(problem))
+         audit = audit_increment(problem%processes, problem%model, problem%state, problem%loading, &
+            nodal_residual(problem), measure_scales(problem))
          problem%state%audit = [audit%force, audit%moment, audit%current, audit%power, audit%penetration]
          call problem%timing%lap(phase_update)
          if (.not. ratio > 1) call warn_of_smallest(problem, reason)
@@ -320,6 +321,10 @@ contains
          ratio = ratio_of_term
          reason = reason_of_term
       end do
+      ratio_of_term = ratio
+      ratio = -problem%processes%largest(-ratio)
+      if (ratio_of_term > ratio) reason = ''
+      reason = problem%processes%first_text(reason)
    end subroutine find_bearable_ratio
 
    pure subroutine refuse_change(reason, outcome)
@@ -457,6 +462,7 @@ contains
                .not. serves_lines(problem%model, point%pair)) n = n + 1
          end associate
       end do
+      n = problem%processes%sum(n)
       if (n > 0) then
          write (text, '(i0, a)') n, ' contacts cross at less than 10 degrees;'
          remark = remark//trim(text)//' '

@@ -35,7 +35,7 @@ contains
       call measure_residual(problem, step, report, at_round_off)
       if (problem%coupled_step) return
       if (all(report%residual <= report%allowed)) return
-      if (.not. any(abs(extrapolated - problem%iterate%mechanical_temperature) > 0)) return
+      if (.not. problem%processes%any(any(abs(extrapolated - problem%iterate%mechanical_temperature) > 0))) return
       problem%iterate%mechanical_temperature = extrapolated
       call evaluate(problem, error)
       if (allocated(error)) return

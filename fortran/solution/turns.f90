@@ -31,7 +31,7 @@ contains
       problem%coupled_step = problem%scheme%is_full .and. .not. problem%is_far
       if (problem%coupled_step) call problem%iterate%warm_mechanics()
       call evaluate(problem, error)
-      if (allocated(error) .or. .not. (problem%coupled_step .and. problem%fed_node > 0)) return
+      if (allocated(error) .or. .not. (problem%coupled_step .and. problem%is_fed)) return
       problem%is_far = .true.
       call leave_common_step(problem, error)
    end subroutine evaluate_for_step
@@ -65,7 +65,7 @@ contains
          if (outcome%in_turn /= group) then
             if (.not. (has_converged(outcome%last, group - 1) .or. takes_over(problem, outcome, group))) return
             if (is_done(problem, outcome, group)) then
-               if (problem%scheme%is_swept .and. problem%iterate%mechanics_lags()) call hand_over(problem, step, &
+               if (mechanics_lags(problem)) call hand_over(problem, step, &
                   outcome%last, outcome%at_round_off, error)
                if (allocated(error)) return
                cycle
@@ -85,6 +85,13 @@ contains
       end do
    end subroutine update_groups
 
+   !> In a sweep the mechanics does not see the present temperatures.
+   logical function mechanics_lags(problem)
+      type(problem_t), intent(in) :: problem
+
+      mechanics_lags = problem%processes%any(problem%scheme%is_swept .and. problem%iterate%mechanics_lags())
+   end function mechanics_lags
+
    !> The temperatures take their turn before the motions balance. First of all in an increment, as they follow a
    !> current that changes at once, and the motions, which take more iterations, need not be found twice; then whenever
    !> these are nearer to their balance than to what the temperatures have still to do to them.
@@ -97,7 +104,7 @@ contains
       takes_over = .false.
       if (.not. problem%scheme%is_swept .or. group_converged(outcome%last, group)) return
       takes_over = outcome%motions_have_come_far() .or. needs_turn(problem, outcome)
-      if (outcome%sweeps == 0) takes_over = problem%fed_node == 0
+      if (outcome%sweeps == 0) takes_over = .not. problem%is_fed
    end function takes_over
 
    !> A step of motions and temperatures together has led the latter astray, as where a contact has gained most of its
@@ -106,7 +113,7 @@ contains
       type(problem_t), intent(in) :: problem
       type(outcome_t), intent(in) :: outcome
 
-      needs_turn = problem%scheme%is_full .and. outcome%iterations > 0 .and. problem%fed_node == 0
+      needs_turn = problem%scheme%is_full .and. outcome%iterations > 0 .and. .not. problem%is_fed
       if (problem%coupled_step) needs_turn = needs_turn .and. outcome%is_astray
    end function needs_turn
 

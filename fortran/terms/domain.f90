@@ -1,6 +1,7 @@
 !> A model as the terms see it: what stays the same, the unknowns, and the system of equations that the terms fill.
 module litz_domain
    use litz_kinds, only: dp
+   use litz_communicator, only: communicator_t
    use litz_conductor, only: conductor
    use litz_conductor_heat, only: heated_wire_t, nodal_share, film_number
    use litz_constrained_cells, only: scatter_constrained
@@ -38,6 +39,8 @@ module litz_domain
    end type element_flow_t
 
    type :: domain_t
+      !> Those that hold the model; the arrays here are what this one has of it
+      class(communicator_t), allocatable :: processes
       type(model_t) :: model
       type(wires_t) :: wires
       type(elements_t) :: elements
@@ -160,14 +163,14 @@ contains
    end function least_capacity
 
    !> By which any temperature changes in this increment or changed in the last one [K/s].
-   pure real(dp) function fastest_warming(self, increment) result(rate)
+   real(dp) function fastest_warming(self, increment) result(rate)
       class(domain_t), intent(in) :: self
       !> This one [s]
       real(dp), intent(in) :: increment
 
       associate (now => self%iterate%value(temperature_slots(1), :), state => self%state)
-         rate = max(maxval(abs(now - state%value(temperature_slots(1), :)))/increment, &
-            maxval(abs(state%value(temperature_slots(1), :) - state%temperature_before))/state%time_increment)
+         rate = self%processes%largest(max(maxval(abs(now - state%value(temperature_slots(1), :)))/increment, &
+            maxval(abs(state%value(temperature_slots(1), :) - state%temperature_before))/state%time_increment))
       end associate
    end function fastest_warming
 
@@ -343,7 +346,8 @@ contains
          self%matrix%unsymmetric_by_friction = .false.
          if (allocated(self%matrix%slip_coupling%value)) deallocate (self%matrix%slip_coupling%value)
       end if
-      call clear_forces(first_group, self%iterate%x, self%iterate%value, self%iterate%change, self%forces)
+      call clear_forces(self%processes, first_group, self%iterate%x, self%iterate%value, self%iterate%change, &
+         self%forces)
    end subroutine clear_system
 
    !> Add cells to the system: their tangents, and with `r` their forces.

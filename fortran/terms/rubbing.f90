@@ -10,6 +10,7 @@
 !> either increment, and such an increment takes backward Euler, b = 0. So do nodes of prescribed temperature, as what
 !> they store does. Source: theory section 13.
 module litz_rubbing
+   use litz_communicator, only: communicator_t
    use litz_kinds, only: dp
    implicit none
    private
@@ -42,19 +43,22 @@ module litz_rubbing
 contains
 
    !> Friction sets in or ends at a contact that matters.
-   pure logical function is_abrupt(rubbing, increment, before, warming)
+   logical function is_abrupt(processes, rubbing, increment, before, warming)
+      class(communicator_t), intent(in) :: processes
       type(rubbing_t), intent(in) :: rubbing(:)
       !> This increment and the last one [s]
       real(dp), intent(in) :: increment, before
       !> By which any temperature changes, at most [K/s]
       real(dp), intent(in) :: warming
       real(dp), dimension(size(rubbing)) :: now, earlier
+      real(dp) :: total
       integer :: i
 
       now = rubbing%heat/increment
       earlier = rubbing%heat_before/before
-      is_abrupt = any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
-         least_part*sum(max(now, earlier)) .and. [(matters(rubbing(i), abs(now(i) - earlier(i))), i=1, size(now))])
+      total = processes%sum(sum(max(now, earlier)))
+      is_abrupt = processes%any(any(abs(now - earlier) > largest_change*max(now, earlier) .and. max(now, earlier) > &
+         least_part*total .and. [(matters(rubbing(i), abs(now(i) - earlier(i))), i=1, size(now))]))
 
    contains
 

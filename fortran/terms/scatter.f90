@@ -6,6 +6,7 @@
 !> for any number of threads.
 module litz_scatter
    use litz_kinds, only: dp
+   use litz_communicator, only: communicator_t
    use litz_equations, only: equations_t, system_t, block_offset
    use litz_fields, only: fields, n_fields, n_slots, field_of_slot, first_slot, last_slot, first_slot_of_group, &
       field_displacement
@@ -42,7 +43,8 @@ module litz_scatter
 contains
 
    !> No cell has added anything yet to the equations of a group and those after it.
-   pure subroutine clear_forces(first_group, x, value, change, forces)
+   subroutine clear_forces(processes, first_group, x, value, change, forces)
+      class(communicator_t), intent(in) :: processes
       !> One of the groups of litz_fields
       integer, intent(in) :: first_group
       !> Positions (3, n_nodes) [m], values of all unknowns (n_slots, n_nodes), and their change since the increment
@@ -72,7 +74,7 @@ contains
             else
                associate (now => value(first_slot(field):last_slot(field), :), &
                   since => change(first_slot(field):last_slot(field), :))
-                  magnitude = max(maxval(abs(now)), maxval(abs(now - since)))
+                  magnitude = processes%largest(max(maxval(abs(now)), maxval(abs(now - since))))
                end associate
             end if
          end associate

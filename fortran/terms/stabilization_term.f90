@@ -37,18 +37,16 @@ contains
       !> Time of the step at the end of the increment, and the increment [s]
       real(dp), intent(in) :: step_time, increment
 
-      self%stiffness = damping_stiffness(domain%model, domain%elements%length, step%controls%stabilize, &
-         increment/step%total)
+      self%stiffness = step%controls%stabilize/(increment/step%total) &
+         *(-domain%processes%largest(-least_stiffness(domain%model, domain%elements%length)))
    end subroutine apply_load
 
-   !> `s` against displacement [N/m] and against rotation [N m]: parts of the least stiffness of any element in tension
-   !> and in bending.
-   pure function damping_stiffness(model, length, factor, fraction) result(stiffness)
+   !> The least stiffness of any element in tension [N/m] and in bending [N m]: `s` against displacement and against
+   !> rotation is a part of it.
+   pure function least_stiffness(model, length) result(stiffness)
       type(model_t), intent(in) :: model
       !> Reference lengths of the elements (n_elements) [m]
       real(dp), intent(in) :: length(:)
-      !> As *CONTROLS has it, and `dt/T`
-      real(dp), intent(in) :: factor, fraction
       real(dp) :: stiffness(2)
       integer :: e
 
@@ -61,8 +59,7 @@ contains
             end associate
          end associate
       end do
-      stiffness = factor/fraction*stiffness
-   end function damping_stiffness
+   end function least_stiffness
 
    !> Add the damping of what has moved since the increment began.
    subroutine evaluate(self, domain, error)
@@ -80,6 +77,7 @@ contains
       associate (first => motion_slots(1), last => motion_slots(2), change => domain%iterate%change)
          allocate (k(last, last, n), r(last, n), source=0.0_dp)
          do node = 1, n
+            if (.not. domain%processes%owns(node)) cycle
             do slot = first, last
                if (domain%equations%number(slot, node) == 0) cycle
                associate (s => self%stiffness(merge(1, 2, field_of_slot(slot) == field_displacement)))
@@ -99,7 +97,7 @@ contains
       type(energies_t), intent(inout) :: energies
 
       energies%stabilization = energies%stabilization &
-         + sum((domain%state%damping + self%force)*domain%iterate%change)/2
+         + sum(domain%processes%own_part((domain%state%damping + self%force)*domain%iterate%change))/2
    end subroutine add_energies
 
    !> The force on the nodes is against their motion.

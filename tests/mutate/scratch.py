@@ -14,7 +14,7 @@ from catalogue import ROOT
 LIMIT = 1200.0
 #: What has no sources, in the folder of the project
 LEFT_OUT = {".git", ".venv", "results", "build", "debug"}
-BUILD_OPTIONS = ("-Dbuildtype=plain", "-Doptimization=1", "-Dpython=enabled")
+BUILD_OPTIONS = ("-Dbuildtype=plain", "-Doptimization=1", "-Dpython=enabled", "-Dmpi=auto")
 
 
 class Scratch:

@@ -58,15 +58,19 @@ def one_thread():
 
 
 def kind(column):
-    """`RF` of `RF1 node 11`."""
-    return column.split()[0].rstrip("0123456789")
+    """`RF` of `RF1 node 11`; energies are of one kind, as `ETOTAL` is what is left of the others."""
+    name = column.split()[0].rstrip("0123456789")
+    return "energy" if name == "ETOTAL" or name.startswith("ALL") else name
+
+
+def accepted(status, column):
+    """Values of the increments that have converged. Iterations that lead nowhere end sooner or later by round-off."""
+    return [value for value, remark in zip(status[column], status["remark"], strict=True) if "cut" not in remark]
 
 
 def assert_same_answers(found, expected):
-    for table in (found.status, expected.status):
-        assert len(table["iterations"]) > 0
     for column in ("iterations", "attempts", "negative_pivots", "contacts"):
-        np.testing.assert_array_equal(found.status[column], expected.status[column], err_msg=column)
+        assert accepted(found.status, column) == accepted(expected.status, column) != [], column
     for name in expected.history:
         # forces that are zero are round-off of those of the other components
         scale = max(
@@ -82,7 +86,9 @@ def assert_same_answers(found, expected):
         )
 
 
-@pytest.mark.parametrize("name", ["04_wire_grid", pytest.param("08_elastica", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "name", ["04_wire_grid", *(pytest.param(name, marks=pytest.mark.slow) for name in ("08_elastica", "17_knot"))]
+)
 def test_one_two_and_four_processes_give_the_same_answers(mpi, inputs, tmp_path, name):
     results = {}
     for ranks in (1, 2, 4):
@@ -148,3 +154,25 @@ def test_the_contact_search_over_processes_finds_the_pairs_of_one(mpirun, build_
         assert sum(shares) == found[ranks]
         assert min(shares) > 0
     assert found[1] == found[2] == found[4] > 100_000
+
+
+def test_sums_and_maxima_over_a_model_in_shares_are_those_of_the_whole_one(mpirun, build_target, tmp_path):
+    """Each process has its share of elements, contacts and nodes; the program fails where an answer is another one."""
+    program = build_target("tests/model_over_processes")
+    for ranks in (1, 2, 4):
+        done = subprocess.run(
+            mpirun(ranks, program),
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+            env=one_thread(),
+            cwd=tmp_path,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        whole, *shares = map(int, done.stdout.partition(":")[2].split())
+        contacts, nodes = shares[:ranks], shares[ranks:]
+        assert sum(contacts) == whole > 4
+        # some are shared
+        assert sum(nodes) > 70 or ranks == 1
+        assert max(nodes) < 70 or ranks == 1

@@ -7,6 +7,7 @@ program test_audit
    use litz_fields, only: n_slots, n_fields
    use litz_kinds, only: dp
    use litz_audit, only: audit_t, scales_t, audit_increment, audit_error
+   use litz_communicator, only: one_process_t
    use litz_errors, only: error_t, exit_not_converged
    use litz_loading, only: loading_t
    use litz_model, only: model_t, nodal_value_t
@@ -18,6 +19,7 @@ program test_audit
    real(dp), parameter :: radius = 1.0e-3_dp, half = 0.05_dp, f = 8, i = 3, overlap = 1.0e-5_dp
    real(dp), parameter :: r_wire = 2.0e-4_dp, r_spot = 5.0e-4_dp
    real(dp), parameter :: at_rest(n_fields, 4) = 0
+   type(one_process_t) :: alone
    type(model_t) :: model
    type(state_t) :: right, wrong
    type(scales_t) :: scales
@@ -33,7 +35,7 @@ program test_audit
    allocate (scales%round_off(n_fields, 4), source=0.0_dp)
    scales%round_off(:3, :) = spread(epsilon(1.0_dp)*[f, f*half, i], 2, 4)
 
-   audit = audit_increment(model, right, loading, at_rest, scales)
+   audit = audit_increment(alone, model, right, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'the right state passes: '//audit%finding)
    call expect(max(audit%force, audit%moment, audit%current, audit%power) < 1.0e-12_dp, 'its sums vanish')
    call expect(abs(audit%penetration - overlap/radius) < 1.0e-12_dp, 'its overlap is that of the contact')
@@ -41,21 +43,21 @@ program test_audit
    ! equal and opposite residuals cancel in the sum over the model
    residual = at_rest
    residual(1, 2) = 1.0e-3_dp*f
-   audit = audit_increment(model, right, loading, residual, scales)
+   audit = audit_increment(alone, model, right, loading, residual, scales)
    call expect(index(audit%finding, 'the forces at node 12') == 1, 'a force is left: '//audit%finding)
    residual = at_rest
    residual(2, 3) = 1.0e-3_dp*f*half
-   audit = audit_increment(model, right, loading, residual, scales)
+   audit = audit_increment(alone, model, right, loading, residual, scales)
    call expect(index(audit%finding, 'the moments at node 13') == 1, 'a moment is left: '//audit%finding)
 
    ! round-off excuses a force at a stiff node, not the same force or half of it at a soft one
    scales%round_off(1, 4) = 1.0e-3_dp*f
    residual = at_rest
    residual(1, 4) = 1.0e-3_dp*f
-   audit = audit_increment(model, right, loading, residual, scales)
+   audit = audit_increment(alone, model, right, loading, residual, scales)
    call expect(len(audit%finding) == 0, 'a stiff node is passed: '//audit%finding)
    residual(1, 1) = 0.5e-3_dp*f
-   audit = audit_increment(model, right, loading, residual, scales)
+   audit = audit_increment(alone, model, right, loading, residual, scales)
    call expect(index(audit%finding, 'the forces at node 11') == 1, 'a soft node is not excused: '//audit%finding)
    scales%round_off(1, 4) = scales%round_off(1, 1)
 
@@ -93,17 +95,17 @@ program test_audit
    call expect_finding(wrong, 'the power of the supports is not the Joule heat')
    residual = at_rest
    residual(3, 2) = 1.0e-12_dp*i
-   audit = audit_increment(model, wrong, loading, residual, scales)
+   audit = audit_increment(alone, model, wrong, loading, residual, scales)
    call expect(len(audit%finding) == 0, 'a current that may be left over has its power: '//audit%finding)
    residual(3, 2) = 1.0e-13_dp*i
-   audit = audit_increment(model, wrong, loading, residual, scales)
+   audit = audit_increment(alone, model, wrong, loading, residual, scales)
    call expect(index(audit%finding, 'the power of the supports') == 1, 'more power than that is wrong')
    ! nor has a current that is fed in where a potential is prescribed more digits than it has
    wrong%value(7, :) = 1
    wrong%load(7, 2) = i*(1 + epsilon(1.0_dp))
    wrong%reaction(7, 2) = -i
    scales%round_off = 0
-   audit = audit_increment(model, wrong, loading, at_rest, scales)
+   audit = audit_increment(alone, model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'a current that enters and leaves has round-off: '//audit%finding)
    scales%round_off(:3, :) = spread(epsilon(1.0_dp)*[f, f*half, i], 2, 4)
 
@@ -111,36 +113,36 @@ program test_audit
    loading%fixed(:, 3) = .true.
    loading%value(:, 3) = right%value(:, 3)
    loading%value(5, 3) = 1
-   audit = audit_increment(model, right, loading, at_rest, scales)
+   audit = audit_increment(alone, model, right, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'what is prescribed is there: '//audit%finding)
    loading%value(7, 3) = right%value(7, 3) + 1.0e-6_dp
    call expect_finding(right, 'node 13 has a potential of -1.5e-04 V in degree of freedom 9 where -1.49e-04 is '// &
       'prescribed: they differ by 1e-06')
    loading%fixed(7, 3) = .false.
-   audit = audit_increment(model, right, loading, at_rest, scales)
+   audit = audit_increment(alone, model, right, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'what is free may be anything: '//audit%finding)
    loading%value(2, 3) = 1.0e-9_dp
    call expect_finding(right, 'node 13 has a displacement of 0 m in degree of freedom 2 where 1e-09 is prescribed')
    ! round-off of what was far larger before: coordinates, values of the deck, values when the step began
    loading%value(2, 3) = epsilon(1.0_dp)*half
-   audit = audit_increment(model, right, loading, at_rest, scales)
+   audit = audit_increment(alone, model, right, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'coordinates have round-off: '//audit%finding)
    loading%fixed(7, 3) = .true.
    loading%value(7, 3) = right%value(7, 3) + 1.0e-12_dp
    call expect_finding(right, 'node 13 has a potential')
    loading%start_value(7, 1) = 1
-   audit = audit_increment(model, right, loading, at_rest, scales)
+   audit = audit_increment(alone, model, right, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'a potential that is small in the end had round-off: '//audit%finding)
    loading%start_value(7, 1) = 0
    wrong = right
    wrong%step = 1
    model%steps(1)%boundary = [nodal_value_t(node=1, dof=9, value=1.0_dp)]
-   audit = audit_increment(model, wrong, loading, at_rest, scales)
+   audit = audit_increment(alone, model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'so has one that a step has prescribed larger: '//audit%finding)
    model%steps(1)%boundary%value = 1.0e-3_dp
    call expect_finding(wrong, 'node 13 has a potential')
    model%steps(1)%boundary%amplitude = 1
-   audit = audit_increment(model, wrong, loading, at_rest, scales)
+   audit = audit_increment(alone, model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'or by an amplitude: '//audit%finding)
    call make_loading(loading)
 
@@ -150,7 +152,7 @@ program test_audit
    wrong%contacts(1)%normal = -wrong%contacts(1)%normal
    call expect_finding(wrong, 'the axes of contact 7 (elements 101 and 102) have passed each other')
    model%interactions(1)%unlimited_penetration = .true.
-   audit = audit_increment(model, wrong, loading, at_rest, scales)
+   audit = audit_increment(alone, model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'PENETRATION=UNLIMITED lets axes pass')
    call expect(audit%deepest == 0, 'PENETRATION=UNLIMITED has no deepest contact')
    model%interactions(1)%unlimited_penetration = .false.
@@ -175,14 +177,14 @@ program test_audit
    wrong%load(7, :) = 0
    wrong%element_current = 0
    wrong%joule_heat = 0
-   audit = audit_increment(model, wrong, loading, at_rest, scales)
+   audit = audit_increment(alone, model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'an insulated contact without a current is right: '//audit%finding)
 
    wrong = right
    wrong%reaction(3, 1) = 0
    wrong%step = 2
    wrong%increment = 5
-   error = audit_error(wrong, audit_increment(model, wrong, loading, at_rest, scales))
+   error = audit_error(wrong, audit_increment(alone, model, wrong, loading, at_rest, scales))
    call expect(error%code == exit_not_converged, 'a failed audit is a failed run')
    call expect(index(error%message, 'step 2, increment 5') > 0, 'the increment is named')
 
@@ -205,7 +207,7 @@ program test_audit
    wrong%joule_heat = 0
    scales%reference(:3) = [1.0e-14_dp, 0.0_dp, 0.0_dp]
    scales%round_off(:3, :) = spread([1.0e-13_dp, 1.0e-14_dp, 0.0_dp], 2, 4)
-   audit = audit_increment(model, wrong, loading, at_rest, scales)
+   audit = audit_increment(alone, model, wrong, loading, at_rest, scales)
    call expect(len(audit%finding) == 0, 'a model at rest is not failed for its round-off: '//audit%finding)
    ! a main program keeps its variables to the end, which checkers of leaks take for lost ones
 
@@ -308,7 +310,7 @@ contains
    subroutine expect_rigid(state)
       type(state_t), intent(in) :: state
 
-      audit = audit_increment(model, state, loading, at_rest, scales)
+      audit = audit_increment(alone, model, state, loading, at_rest, scales)
       call expect(index(audit%finding, 'rigid body') == 0, 'the rigid body is in place: '//audit%finding)
    end subroutine expect_rigid
 
@@ -316,7 +318,7 @@ contains
       type(state_t), intent(in) :: state
       character(len=*), intent(in) :: text
 
-      audit = audit_increment(model, state, loading, at_rest, scales)
+      audit = audit_increment(alone, model, state, loading, at_rest, scales)
       call expect(index(audit%finding, text) == 1, 'expected "'//text//'", found "'//audit%finding//'"')
    end subroutine expect_finding
 

@@ -4,6 +4,7 @@
 !> does not know of the stop, is 1 m. The energy along it is `u^2/2 - u + k max(u - gap, 0)^2/2` with the stiffness k of
 !> the point; where it is least is in closed form. Crossings of wires of 1 mm radius bear a part of the same step.
 program test_contact_descent
+   use litz_communicator, only: one_process_t
    use litz_contact_descent, only: descent_fraction
    use litz_contact_points, only: contact_point_t
    use litz_contact_step, only: bearable_fraction, n_changed, predict_contacts, suppose_contacts
@@ -121,7 +122,7 @@ contains
       residual(3, 1) = 1
       if (present(pull)) residual(3, 1) = pull
       residual(7:, 2) = 7
-      fraction_of = descent_fraction(model, points, residual, upwards())
+      fraction_of = descent_fraction(one_process_t(), model, points, residual, upwards())
    end function fraction_of
 
    !> An open point whose gap falls as the first node of the unbarred element goes up.

@@ -4,6 +4,7 @@
 !> of two and of four nodes.
 program test_equations
    use litz_equations, only: equations_t, system_t, number_equations, build_system
+   use litz_communicator, only: one_process_t
    use litz_errors, only: error_t
    use litz_fields, only: n_slots, n_fields, n_groups, depends_on, group_mechanical, group_transport, &
       first_slot_of_group, last_slot_of_group, motion_slots, potential_slots, field_of_slot
@@ -75,7 +76,7 @@ contains
 
       call new_system(equations, matrix)
       nothing = 0
-      call clear_forces(1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
+      call clear_forces(one_process_t(), 1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
       allocate (dense(n_slots*n_nodes, n_slots*n_nodes), source=0.0_dp)
       internal = 0
       call add_random_cells(pairs, motion_slots, motion_slots, equations, matrix, forces, dense, internal)
@@ -168,7 +169,7 @@ contains
 
       call new_system(equations, matrix)
       nothing = 0
-      call clear_forces(1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
+      call clear_forces(one_process_t(), 1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
       call random_number(increment)
       call random_number(k)
       call scatter(equations, pairs(:, 3:3), motion_slots, motion_slots, k, increment, &
@@ -188,7 +189,7 @@ contains
 
       call new_system(equations, matrix)
       nothing = 0
-      call clear_forces(1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
+      call clear_forces(one_process_t(), 1, reshape([0.0_dp], [3, n_nodes], [0.0_dp]), nothing, nothing, forces)
       call random_number(r)
       r = r - 0.5_dp
       k = 0

@@ -8,6 +8,7 @@
 !> The values are simple functions of node, element and increment, which test_results.py reads back.
 program test_results
    use litz_kinds, only: dp
+   use litz_communicator, only: one_process_t
    use litz_errors, only: error_t
    use litz_fields, only: n_slots
    use litz_friction_law, only: friction_slip
@@ -39,7 +40,7 @@ program test_results
    if (how == 'seldom') model%steps(1)%output_frequency = 2
    call make_directory(trim(directory), error)
    call stop_on(error)
-   call results%open(model, trim(directory)//'/crossed', state, error)
+   call results%open(one_process_t(), model, trim(directory)//'/crossed', state, error)
    call stop_on(error)
    do increment = 1, 3
       call make_state(model, increment, state)
@@ -203,7 +204,7 @@ contains
          report%residual(:3) = 10.0_dp**(-2**i)*[1.0_dp, 0.1_dp, 0.01_dp]
          report%allowed(:3) = [1.0e-7_dp, 1.0e-8_dp, 1.0e-9_dp]
          report%correction = report%residual
-         report%correction_node(:3) = [i, i + 1, 0]
+         report%correction_node(:3) = [10*i, 10*i + 10, 0]
          report%contacts_active = increment - 1
          report%penetration = 1.0e-6_dp
          call results%write_iteration(model, report, error)
