@@ -13,9 +13,10 @@ module litz_term
    public :: term_t, term_entry_t, status_t
    public :: max_anticipations, nearly_balanced
 
-   !> In how many iterations of an increment terms anticipate at most, and the largest force that is left over by then,
-   !> over the largest that they bear
-   integer, parameter :: max_anticipations = 3
+   !> In how many iterations of an increment terms anticipate at most: as many as it takes from there, so that nothing
+   !> is left to update where forces balance; and the largest force that is left over by then, over the largest that
+   !> they bear
+   integer, parameter :: max_anticipations = 5
    real(dp), parameter :: nearly_balanced = 0.1_dp
 
    !> One-sided conditions of an iteration: contacts that are closed.
