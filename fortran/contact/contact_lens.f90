@@ -185,19 +185,27 @@ contains
    end function half_length_on
 
    !> The wedge at the end of a wire that leans on another one: that of wires side by side, and not half of a lens as
-   !> where wires cross over the end of one, nor as long as places along the wires resolve. There is none where end
-   !> meets end. Source: theory (10.18b).
+   !> where wires cross over the end of one, nor as long as places along the wires resolve. Where ends meet that lead
+   !> opposite ways it is that of the wire that leans more on the other one, as if that went on. Source: theory (10.18b).
    pure type(wedge_t) function wedge_of(point) result(wedge)
       type(contact_point_t), intent(in) :: point
-      real(dp) :: bend, radius, length
+      real(dp) :: bend, radius, length, cosine, slope(2), own_bend(2)
 
-      if (count(point%held) /= 1 .or. .not. point%gap < 0) return
-      wedge%wire = findloc(point%held, .true., 1)
+      if (.not. any(point%held) .or. .not. point%gap < 0) return
+      slope = abs(point%tilt)
+      own_bend = point%bend
+      if (all(point%held)) then
+         cosine = dot_product(point%tangent(:, 1), point%tangent(:, 2))
+         if (cosine > 0) return
+         slope = point%tilt + cosine*point%tilt([2, 1])
+         own_bend = (1 - cosine**2 - slope**2)/point%kinematics%distance
+      end if
+      wedge%wire = maxloc(slope, 1, point%held)
       radius = minval(point%radius)
-      associate (i => wedge%wire, overlap => min(-point%gap, deepest*radius), tilt => abs(point%tilt(wedge%wire)))
-         if (.not. (point%at_end(i) .and. tilt > 0)) return
-         bend = max(0.0_dp, point%bend(i))
-         length = wedge_length(tilt, point%bend(i), overlap)
+      associate (i => wedge%wire, overlap => min(-point%gap, deepest*radius), tilt => slope(wedge%wire))
+         if (.not. (all(point%at_end .eqv. point%held) .and. tilt > 0)) return
+         bend = max(0.0_dp, own_bend(i))
+         length = wedge_length(tilt, own_bend(i), overlap)
          wedge%lean = tilt**2/(tilt**2 + 2*bend*overlap)*(1 - smooth_step(length/radius - 1)) &
             *(1 - smooth_step((sqrt(bend*point%kinematics%distance) - small_sine/2)/(small_sine/2)))
          if (.not. wedge%lean > 0) return

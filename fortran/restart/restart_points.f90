@@ -139,11 +139,13 @@ contains
          call table%field('lens_near_joint', lens%is_near_joint)
          call table%field('lens_of_crossing', lens%of_crossing)
          call table%field('lens_of_wedge', lens%of_wedge)
+         call table%field('lens_beside_places', lens%beside_places)
          do i = 1, 2
             call table%field('lens_near'//trim(wire(i)), lens%near(i))
             call table%field('lens_side'//trim(wire(i)), lens%side(i))
             call table%field('lens_bend'//trim(wire(i)), lens%bend(i))
             call table%field('lens_extent'//trim(wire(i)), lens%extent(i))
+            call table%field('lens_spot_of_end'//trim(wire(i)), lens%spot_of_end(i))
             call table%field('lens_receding'//trim(wire(i)), lens%receding(i))
             call table%field('lens_own_bend'//trim(wire(i)), lens%own_bend(i))
             call table%field('legs_at_joint'//trim(wire(i)), lens%of_joint(1, i))
