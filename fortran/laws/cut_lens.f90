@@ -167,20 +167,20 @@ contains
       scale = delta**(-energy_power)
       ! the law of a shorter ellipse, along as long an overlap
       pair(1, 1) = sqrt(lens%of_wedge)*both*energy_of(middle)*scale
-      do i = 1, 2
-         of_end(i) = 1.0_dp - cylinder(i)
-      end do
-      pair(2, 2) = constant(0.0_dp)
-      if (all(lens%near)) pair(2, 2) = at_least_zero(1.0_dp - both - of_cylinders*(of_end(1)*over_foot(2) &
-         + of_end(2)*over_foot(1)))*energy_of(corner)*scale
       associate (beside => opposite*lens%beside_places)
          do i = 1, 2
+            of_end(i) = 1.0_dp - cylinder(i)
             of_end(i) = (1 - beside)*of_end(i) + beside*(half_of_end*lean(i) + (1.0_dp - lean(i)) &
                *beside_places(of_end(i)))
          end do
+         both = (1.0_dp - beside*(lean(1) + lean(2)))*both
       end associate
-      pair(2, 1) = of_cylinders*of_end(1)*over_foot(2)*energy_of(at_end(1))*scale
-      pair(1, 2) = of_cylinders*of_end(2)*over_foot(1)*energy_of(at_end(2))*scale
+      pair(2, 1) = of_cylinders*of_end(1)*over_foot(2)
+      pair(1, 2) = of_cylinders*of_end(2)*over_foot(1)
+      pair(2, 2) = constant(0.0_dp)
+      if (all(lens%near)) pair(2, 2) = at_least_zero(1.0_dp - both - pair(2, 1) - pair(1, 2))*energy_of(corner)*scale
+      pair(2, 1) = pair(2, 1)*energy_of(at_end(1))*scale
+      pair(1, 2) = pair(1, 2)*energy_of(at_end(2))*scale
    end function parts_of_pairs
 
    !> Where one wire leans on the other one with its end, and that one ends within the overlap so begun and leads the
