@@ -185,8 +185,9 @@ contains
    end function half_length_on
 
    !> The wedge at the end of a wire that leans on another one: that of wires side by side, and not half of a lens as
-   !> where wires cross over the end of one, nor as long as places along the wires resolve. Where ends meet that lead
-   !> opposite ways it is that of the wire that leans more on the other one, as if that went on. Source: theory (10.18b).
+   !> where wires cross over the end of one, nor as long as places along the wires resolve. Where ends of wires
+   !> meet that lead opposite ways it is that of the wire that leans more on the other one, as if that went on. Source:
+   !> theory (10.18b).
    pure type(wedge_t) function wedge_of(point) result(wedge)
       type(contact_point_t), intent(in) :: point
       real(dp) :: bend, radius, length, cosine, slope(2), own_bend(2)

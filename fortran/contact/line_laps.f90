@@ -37,7 +37,9 @@ contains
    !> lose length. Where both wires end within two distances of places, no two places tell a course: the place at the
    !> end of its wire stands for the whole lap, until from `h` on it passes its length on to the next one, `h - r` and
    !> `2 r`. Of the two passes one begins at either end of the lap, so that together they have the sum of a linear
-   !> course.
+   !> course. The energy per length is curved where the course of the force is linear: as the end passes a place the sum
+   !> changes by half of a second difference. What the sum should have instead, the integral and the error of the
+   !> trapezoidal rule of as long a lap, has that change as a force along the wires.
    pure subroutine find_lap(wires, elements, places, profile, rate, point, share, of_lap, of_course)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements

@@ -343,8 +343,7 @@ contains
             end if
          end if
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
-         call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap, &
-            of_course)
+         call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap, of_course)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
          point%lap%dweight = part*of_lap(1)
          point%lap%d2weight = part*of_lap(2)

@@ -130,7 +130,7 @@ contains
       !> As `cut_energy` has them [m]
       real(dp), intent(in) :: overlap, place(2)
       type(jet_t) :: pair(2, 2)
-      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
+      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat(2), both, scale
       type(jet_t) :: of_cylinders, recess, of_end(2), lean(2)
       real(dp) :: root(2), opposite
       integer :: i
@@ -144,6 +144,7 @@ contains
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
+         flat(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
          recess = constant(0.0_dp)
          if (held(i) .and. place(i) < 0) recess = lens%receding(i)*variable(place(i), i + 1)*variable(place(i), i + 1)
@@ -154,13 +155,13 @@ contains
             lens%spot_of_end(3 - i))
          middle = middle - recess
          if (.not. held(i)) cycle
-         flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
-         cylinder(i) = flat*cylinder(i)
-         over_foot(i) = flat*over_foot(i)
+         flat(i) = flatness((-1/lens%distance)*variable(place(i), i + 1))
+         cylinder(i) = flat(i)*cylinder(i)
+         over_foot(i) = flat(i)*over_foot(i)
       end do
       both = of_both(cylinder, lens%cosine)
       lean = [constant(0.0_dp), constant(0.0_dp)]
-      if (opposite > 0) call cut_behind_end(lens, held, opposite, a, middle, cylinder, both, lean)
+      if (opposite > 0) call cut_behind_end(lens, held, opposite, a, middle, flat, cylinder, both, lean)
       of_cylinders = constant(1.0_dp)
       if (all(lens%near)) of_cylinders = left_by_ends(root, foot, corner)
       both = of_cylinders*both
@@ -186,14 +187,14 @@ contains
    !> Where one wire leans on the other one with its end, and that one ends within the overlap so begun and leads the
    !> other way: both cylinders have what lies between the ends, which is none as these pass each other. What lies
    !> beyond the other end is an overlap that begins there, by the law of the first one.
-   pure subroutine cut_behind_end(lens, held, opposite, a, middle, cylinder, both, beyond)
+   pure subroutine cut_behind_end(lens, held, opposite, a, middle, flat, cylinder, both, beyond)
       type(cut_lens_t), intent(in) :: lens
       !> The contact is at the end (2)
       logical, intent(in) :: held(2)
       !> How much they lead opposite ways
       real(dp), intent(in) :: opposite
-      !> From the middle to the ends (2), and the overlap there
-      type(jet_t), intent(in) :: a(2), middle
+      !> From the middle to the ends (2), the overlap there, and how flat either wire lies (2)
+      type(jet_t), intent(in) :: a(2), middle, flat(2)
       !> What either cylinder keeps (2), and what both of them do
       type(jet_t), intent(inout) :: cylinder(2), both
       !> How much an end lies beyond that on which the other wire leans (2)
@@ -217,6 +218,7 @@ contains
          kept = at_end*(extent + (of_wedge - extent)*lean) + square*(extent + (1 - extent)*lean)
          cylinder(3 - i) = constant(1.0_dp)
          if (square%value < kept%value) cylinder(3 - i) = energy_below(other*kept**(-0.5_dp))
+         cylinder(3 - i) = flat(3 - i)*cylinder(3 - i)
       end associate
       beyond(3 - i) = lean
       both = (1.0_dp - lean)*of_both(cylinder, lens%cosine) + lean*at_least_zero(cylinder(1) + cylinder(2) &
@@ -235,8 +237,9 @@ contains
    !> What a round end has over a wire that leads the other way than its own: its side of the contact as long as the end
    !> of that is beyond its own, else what the spot reaches of that.
    pure type(jet_t) function on_its_side(x, corner, extent) result(part)
-      !> `y sqrt(c/(2 d))` of the foot, [m^(1/2)], overlap of end over end, and kappa^2 of the spot
+      !> `y sqrt(c/(2 d))` of the foot [m^(1/2)], and overlap of end over end
       type(jet_t), intent(in) :: x, corner
+      !> kappa^2 of the spot
       real(dp), intent(in) :: extent
       type(jet_t) :: whole
 
