@@ -164,10 +164,13 @@ contains
       type(leg_t), intent(in) :: bar, leg
       !> Overlap that counts at most [m]
       real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap, bend(2)
+      real(dp) :: overlap, bend(2), tilt(2)
       logical :: is_wedge(2)
 
       bend = [bar%bend, leg%bend]
+      tilt = [bar%tilt, leg%tilt]
+      ! where end meets end, the normal leans on both wires: that on the other one as if it went on
+      if (all(point%held .and. point%at_end)) tilt = abs(tilt + dot_product(bar%direction, leg%direction)*tilt([2, 1]))
       ! the curvature along a leg is that over the other one
       if (all(point%held) .and. .not. all(point%at_end)) bend = max(0.0_dp, 1 - dot_product(bar%along, leg%along)**2 &
          - [bar%tilt, leg%tilt]**2)/point%kinematics%distance
@@ -180,8 +183,8 @@ contains
       end if
       overlap = max(overlap, least_overlap*point%kinematics%distance)
       half_length = huge(half_length)
-      if (is_wedge(1)) half_length = wedge_length(bar%tilt, bend(1), overlap)
-      if (is_wedge(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
+      if (is_wedge(1)) half_length = wedge_length(tilt(1), bend(1), overlap)
+      if (is_wedge(2)) half_length = min(half_length, wedge_length(tilt(2), bend(2), overlap))
    end function half_length_on
 
    !> The wedge at the end of a wire that leans on another one: that of wires side by side, and not half of a lens as
@@ -197,7 +200,6 @@ contains
       own_bend = point%bend
       if (all(point%held)) then
          cosine = dot_product(point%tangent(:, 1), point%tangent(:, 2))
-         if (cosine > 0) return
          slope = point%tilt + cosine*point%tilt([2, 1])
          own_bend = (1 - cosine**2 - slope**2)/point%kinematics%distance
       end if

@@ -32,6 +32,9 @@ module litz_cut_lens
    !> kappa_w over 2 kappa^2, as a power (from half-spaces)
    real(dp), parameter :: wedge_power = 1/3.0_dp
 
+   !> Square of the length on which cylinders fall beyond the ends of both wires, over that of the overlap (from
+   !> half-spaces)
+   real(dp), parameter :: spot_beyond_ends = 0.25_dp
    !> Part of the contact of a round end that lies beyond the end of a line
    real(dp), parameter :: half_of_end = 0.5_dp
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
@@ -163,6 +166,9 @@ contains
       lean = [constant(0.0_dp), constant(0.0_dp)]
       if (opposite > 0) call cut_behind_end(lens, held, opposite, a, middle, flat, cylinder, both, lean)
       of_cylinders = constant(1.0_dp)
+      ! straight wires lead away from the ends of each other, however long their overlap counts
+      if (all(held)) foot = [variable(place(1), 2), variable(place(2), 3)]
+      if (all(held)) root = sqrt(1/(2*lens%distance))
       if (all(lens%near)) of_cylinders = left_by_ends(root, foot, corner)
       both = of_cylinders*both
       scale = delta**(-energy_power)
@@ -423,7 +429,7 @@ contains
       if (.not. (all(foot%value < 0) .and. corner%value > 0)) return
       do i = 1, 2
          x = scale(i)*foot(i)
-         rest(i) = fall_of(x*(corner + x*x)**(-0.5_dp))
+         rest(i) = fall_of(x*(spot_beyond_ends*corner + x*x)**(-0.5_dp))
       end do
       part = rest(1) + rest(2) - rest(1)*rest(2)
    end function left_by_ends

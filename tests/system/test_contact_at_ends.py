@@ -398,7 +398,8 @@ def test_ends_that_lead_away_from_each_other_become_two_spheres(run, lean, yaw, 
     whole = 1 if law == HERTZ else force[0] / spheres[0]
     apart = overlaps < slope**2 / 100
     assert force[apart] == pytest.approx(whole * spheres[apart], rel=0.01)
-    assert np.all(force < 1.4 * whole * spheres)
+    # boundary elements have 1.1 to 1.25 times the force at most
+    assert np.all(force < (1.3 if law == HERTZ else 1.55) * whole * spheres)
     assert np.all(force > 0.99 * whole * spheres)
     if law == HERTZ:
         assert conductance[apart] == pytest.approx(conduct[apart], rel=0.01)
@@ -453,6 +454,22 @@ def test_tips_that_lead_opposite_ways_pass_each_other_without_a_step(run, degree
     assert np.diff(force).max() < 0.005 * force[0]
     assert np.diff(conductance).max() < 0.02 * conductance[0]
     assert largest_step(force) < 0.02
+
+
+@pytest.mark.parametrize("degrees", [0.5, 1])
+def test_tips_that_lead_the_same_way_pass_each_other_without_a_step(run, degrees):
+    """Where end meets end, a wire leans on the other one as if that went on: nothing jumps as it comes to that."""
+    radius, slope, down, increments = COPPER.radius, math.tan(math.radians(degrees)), -0.01 * COPPER.radius, 60
+    lower = np.linspace((-20 * radius, 0, 0), (0, 0, 0), 10)
+    upper = np.linspace(0, 20, 8)[:, None] * radius * [-1, 0, slope] + np.array([-0.03, 0, 2]) * radius
+    steps = [moved(0, 0, down, increments=10), moved(0.1 * radius, 0, down, increments=increments)]
+    deck = two_wires(lower, upper, HELD, *steps, law=HERTZ + spot("HERTZ")).replace("*END STEP", "*ENERGY PRINT\n*END STEP")
+    results = solved(run(deck))
+    history, held = results.history, results.history["ALLCCE"][10]
+    assert np.abs(history["ETOTAL"][11:] - history["ETOTAL"][10]).max() < 0.06 * held
+    for values in totals(results):
+        assert np.diff(values[9:]).max() < 0.005 * values[9]
+        assert largest_step(values[9:]) < 0.01
 
 
 @pytest.mark.parametrize("spacing", [2.2, 0.7])
