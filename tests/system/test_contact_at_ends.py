@@ -463,7 +463,9 @@ def test_tips_that_lead_the_same_way_pass_each_other_without_a_step(run, degrees
     lower = np.linspace((-20 * radius, 0, 0), (0, 0, 0), 10)
     upper = np.linspace(0, 20, 8)[:, None] * radius * [-1, 0, slope] + np.array([-0.03, 0, 2]) * radius
     steps = [moved(0, 0, down, increments=10), moved(0.1 * radius, 0, down, increments=increments)]
-    deck = two_wires(lower, upper, HELD, *steps, law=HERTZ + spot("HERTZ")).replace("*END STEP", "*ENERGY PRINT\n*END STEP")
+    deck = two_wires(lower, upper, HELD, *steps, law=HERTZ + spot("HERTZ")).replace(
+        "*END STEP", "*ENERGY PRINT\n*END STEP"
+    )
     results = solved(run(deck))
     history, held = results.history, results.history["ALLCCE"][10]
     assert np.abs(history["ETOTAL"][11:] - history["ETOTAL"][10]).max() < 0.06 * held
