@@ -164,10 +164,13 @@ contains
       type(leg_t), intent(in) :: bar, leg
       !> Overlap that counts at most [m]
       real(dp), intent(in) :: largest_overlap
-      real(dp) :: overlap, bend(2)
+      real(dp) :: overlap, bend(2), tilt(2)
       logical :: is_wedge(2)
 
       bend = [bar%bend, leg%bend]
+      tilt = [bar%tilt, leg%tilt]
+      ! where end meets end, the normal leans on both wires: that on the other one as if it went on
+      if (all(point%held .and. point%at_end)) tilt = abs(tilt + dot_product(bar%direction, leg%direction)*tilt([2, 1]))
       ! the curvature along a leg is that over the other one
       if (all(point%held) .and. .not. all(point%at_end)) bend = max(0.0_dp, 1 - dot_product(bar%along, leg%along)**2 &
          - [bar%tilt, leg%tilt]**2)/point%kinematics%distance
@@ -180,24 +183,32 @@ contains
       end if
       overlap = max(overlap, least_overlap*point%kinematics%distance)
       half_length = huge(half_length)
-      if (is_wedge(1)) half_length = wedge_length(bar%tilt, bend(1), overlap)
-      if (is_wedge(2)) half_length = min(half_length, wedge_length(leg%tilt, bend(2), overlap))
+      if (is_wedge(1)) half_length = wedge_length(tilt(1), bend(1), overlap)
+      if (is_wedge(2)) half_length = min(half_length, wedge_length(tilt(2), bend(2), overlap))
    end function half_length_on
 
    !> The wedge at the end of a wire that leans on another one: that of wires side by side, and not half of a lens as
-   !> where wires cross over the end of one, nor as long as places along the wires resolve. There is none where end
-   !> meets end. Source: theory (10.18b).
+   !> where wires cross over the end of one, nor as long as places along the wires resolve. Where ends of wires
+   !> meet that lead opposite ways it is that of the wire that leans more on the other one, as if that went on. Source:
+   !> theory (10.18b).
    pure type(wedge_t) function wedge_of(point) result(wedge)
       type(contact_point_t), intent(in) :: point
-      real(dp) :: bend, radius, length
+      real(dp) :: bend, radius, length, cosine, slope(2), own_bend(2)
 
-      if (count(point%held) /= 1 .or. .not. point%gap < 0) return
-      wedge%wire = findloc(point%held, .true., 1)
+      if (.not. any(point%held) .or. .not. point%gap < 0) return
+      slope = abs(point%tilt)
+      own_bend = point%bend
+      if (all(point%held)) then
+         cosine = dot_product(point%tangent(:, 1), point%tangent(:, 2))
+         slope = point%tilt + cosine*point%tilt([2, 1])
+         own_bend = (1 - cosine**2 - slope**2)/point%kinematics%distance
+      end if
+      wedge%wire = maxloc(slope, 1, point%held)
       radius = minval(point%radius)
-      associate (i => wedge%wire, overlap => min(-point%gap, deepest*radius), tilt => abs(point%tilt(wedge%wire)))
-         if (.not. (point%at_end(i) .and. tilt > 0)) return
-         bend = max(0.0_dp, point%bend(i))
-         length = wedge_length(tilt, point%bend(i), overlap)
+      associate (i => wedge%wire, overlap => min(-point%gap, deepest*radius), tilt => slope(wedge%wire))
+         if (.not. (all(point%at_end .eqv. point%held) .and. tilt > 0)) return
+         bend = max(0.0_dp, own_bend(i))
+         length = wedge_length(tilt, own_bend(i), overlap)
          wedge%lean = tilt**2/(tilt**2 + 2*bend*overlap)*(1 - smooth_step(length/radius - 1)) &
             *(1 - smooth_step((sqrt(bend*point%kinematics%distance) - small_sine/2)/(small_sine/2)))
          if (.not. wedge%lean > 0) return

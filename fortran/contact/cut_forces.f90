@@ -159,6 +159,7 @@ contains
             ! a sphere that leans by t touches r t away from its pole, less where the other wire is curved that way
             shift = radius(i)*(1 - radius(i)*sin(angle)**2/sum(radius))
             lens%receding(i) = (shift/lens%distance)**2/extent_of(ends(i), cos(angle)**2)
+            lens%spot_of_end(i) = min(1.0_dp, extent_of(ends(i), cos(angle)**2)/(2*lens%distance))
          end do
       end associate
    end subroutine find_extents

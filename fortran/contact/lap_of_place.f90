@@ -16,6 +16,11 @@ module litz_lap_of_place
       real(dp) :: dweight = 0, d2weight = 0
       !> `exp(-2 Lambda)/b^2` of a strip as long as a short lap [1/m^2], and how it changes with that distance [1/m^3]
       real(dp) :: strip_bound = 0, dstrip_bound = 0
+      !> Force along the other wire by the curvature of the energy per length, which the linear course up to the end of
+      !> the lap does not have [N], and how it changes with that distance [N/m]
+      real(dp) :: of_course = 0, dof_course = 0
+      !> Force [N/m] and stiffness [N/m^2] per length at the present overlap
+      real(dp) :: force = 0, stiffness = 0
       !> At the end of the wire of the place: that beside the line
       type(round_end_t) :: round_end
    end type lap_of_place_t
@@ -41,9 +46,9 @@ contains
       real(dp) :: slope, curvature
 
       associate (dbeyond => lap%round_end%dbeyond)
-         along%force = lap%dweight*law%energy + dbeyond*of_end%along
+         along%force = lap%dweight*law%energy + lap%of_course + dbeyond*of_end%along
          along%by_overlap = lap%dweight*law%force + dbeyond*of_end%along_by_overlap
-         along%stiffness = lap%d2weight*law%energy + dbeyond**2*of_end%along_stiffness
+         along%stiffness = lap%d2weight*law%energy + lap%dof_course + dbeyond**2*of_end%along_stiffness
       end associate
       if (.not. abs(lap%dstrip_bound) > 0) return
       if (.not. line%section > 0 .or. law%too_wide) return

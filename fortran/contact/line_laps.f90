@@ -37,8 +37,10 @@ contains
    !> lose length. Where both wires end within two distances of places, no two places tell a course: the place at the
    !> end of its wire stands for the whole lap, until from `h` on it passes its length on to the next one, `h - r` and
    !> `2 r`. Of the two passes one begins at either end of the lap, so that together they have the sum of a linear
-   !> course.
-   pure subroutine find_lap(wires, elements, places, profile, rate, point, share, of_lap)
+   !> course. The energy per length is curved where the course of the force is linear: as the end passes a place the sum
+   !> changes by half of a second difference. What the sum should have instead, the integral and the error of the
+   !> trapezoidal rule of as long a lap, has that change as a force along the wires.
+   pure subroutine find_lap(wires, elements, places, profile, rate, point, share, of_lap, of_course)
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
       type(line_places_t), intent(in) :: places
@@ -50,6 +52,9 @@ contains
       type(contact_point_t), intent(inout) :: point
       !> [-], and how the length changes with the distance of the foot from the end [-], and how that does [1/m] (2)
       real(dp), intent(out) :: share, of_lap(2)
+      !> How what the linear course leaves of the integral changes with that distance, in curvatures of what is
+      !> integrated [m^2], and how that does [m]
+      real(dp), intent(out) :: of_course(2)
       real(dp) :: behind, spacing, beyond, own_end(2), linear
       integer :: ahead
       logical :: is_last
@@ -57,6 +62,7 @@ contains
       point%lens%near = .false.
       share = 1
       of_lap = 0
+      of_course = 0
       call find_end_of_lap(wires, elements, places, rate, point, ahead, behind)
       if (ahead == 0) return
       share = 0
@@ -73,9 +79,15 @@ contains
          else if (before < (2 - tie)*spacing .and. is_last) then
             share = (3 + linear)/2*behind/length
             of_lap(1) = (3 + linear)/(2*abs(rate))
+            associate (r => behind/spacing)
+               of_course = linear*[spacing*(18*r - 2 - 3*r**2), (18 - 6*r)/abs(rate)]*spacing/(12*abs(rate))
+            end associate
          else if (is_last) then
             share = (length - spacing/2 + behind + linear*behind**2/(2*spacing))/length
             of_lap = [1 + linear*behind/spacing, linear/(spacing*abs(rate))]/abs(rate)
+            associate (r => behind/spacing)
+               of_course = linear*[spacing*(6*r**2 + 6*r + 1), (12*r + 6)/abs(rate)]*spacing/(12*abs(rate))
+            end associate
          else
             share = (length - linear*beyond**2/(2*spacing))/length
             of_lap = -linear*[beyond, 1/abs(rate)]/(spacing*abs(rate))
@@ -122,6 +134,7 @@ contains
          slid = now - point%place(1)
          point%weight = max(0.0_dp, point%weight + (point%lap%dweight + point%lap%d2weight*slid/2)*slid)
          point%lap%dweight = point%lap%dweight + point%lap%d2weight*slid
+         point%lap%of_course = point%lap%of_course + point%lap%dof_course*slid
          point%lap%strip_bound = max(0.0_dp, point%lap%strip_bound + point%lap%dstrip_bound*slid)
          associate (round => point%lap%round_end)
             round%beyond = round%beyond + round%dbeyond*slid

@@ -310,7 +310,7 @@ contains
       !> In whose lens it may lie, or 0
       integer, intent(out) :: crossing
       type(line_profile_t) :: profile
-      real(dp) :: tilt, reach, distance, rate, of_length, of_lap(2), part
+      real(dp) :: tilt, reach, distance, rate, of_length, of_lap(2), of_course(2), part, curvature
       integer :: legs(2)
 
       crossing = 0
@@ -328,7 +328,9 @@ contains
          point%line_share = 1
          point%energy_ratio = 1
          point%section_share = 1
-         point%lap = lap_of_place_t()
+         ! of the energy per length along the wire
+         curvature = profile%slope**2*point%lap%stiffness - bend*point%lap%force
+         point%lap = lap_of_place_t(force=point%lap%force, stiffness=point%lap%stiffness)
          point%spot_section = 1
          point%kept_overlap = 0
          point%deepest = 0
@@ -360,10 +362,12 @@ contains
             end if
          end if
          rate = point%kinematics%cos_angle/max(least_quality, quality(1))
-         call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap)
+         call find_lap(wires, elements, contact%places, profile, rate, point, of_length, of_lap, of_course)
          part = point%line_share*share_of_pass(quality)*flatness(tilt)
          point%lap%dweight = part*of_lap(1)
          point%lap%d2weight = part*of_lap(2)
+         point%lap%of_course = part*of_course(1)*curvature
+         point%lap%dof_course = part*of_course(2)*curvature
          call bound_by_lap(wires, elements, minval(elements%radius(pair)), point)
          call find_round_end(wires, elements, contact%places, min(1.0_dp, part/half_pass), point)
          point%weight = part*contact%places%length(point%line_place)*of_length

@@ -463,6 +463,8 @@ contains
       if (allocated(point%yielding_place)) call follow_place(point)
       point%at_gap = force_of_gap_t(force=law%force, dforce_dgap=-law%stiffness, energy=law%energy)
       point%lap%round_end%force = law%of_end%force
+      point%lap%force = law%per_length%force
+      point%lap%stiffness = law%per_length%stiffness
       if (point%lens%near(1) .and. point%closed) then
          along = force_along_lap(point%lap, point%line, point%weight, law%per_length, law%of_end)
          point%slide_force = [along%force, 0.0_dp]

@@ -335,11 +335,14 @@ contains
       type(contact_point_t), intent(inout) :: point
 
       point%lens%share = 1
+      point%lens%beside_places = 0
       point%weight = of_cylinders
       if (.not. is_cut(point%lens)) return
       point%weight = max(of_cylinders, of_ends)
       if (.not. point%weight > 0) return
       point%lens%share = of_ends/point%weight
+      point%lens%beside_places = 0
+      if (of_ends > of_cylinders) point%lens%beside_places = 1 - of_cylinders/of_ends
       point%lens%share(1, 1) = of_cylinders/point%weight
    end subroutine divide_share
 

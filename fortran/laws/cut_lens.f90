@@ -22,6 +22,9 @@ module litz_cut_lens
    !> which on one runs into the other (5 and 15 degrees)
    real(dp), parameter, public :: flat_tilt = 0.0872_dp, steep_tilt = 0.2588_dp
 
+   !> Sines of the angle between wires up to which they lie along each other, and from which on they cross (2.5 and 5
+   !> degrees)
+   real(dp), parameter :: lies_along = 0.0436_dp, crosses = 0.0872_dp
    !> kappa^2 of a spot that is as long as the overlap, and the part of the curvature where all is that of the wire
    real(dp), parameter :: whole_overlap = 1, all_own = 1
    !> An overlap that begins at the end is half a wedge where its place is this part of it (from half-spaces)
@@ -29,6 +32,11 @@ module litz_cut_lens
    !> kappa_w over 2 kappa^2, as a power (from half-spaces)
    real(dp), parameter :: wedge_power = 1/3.0_dp
 
+   !> Square of the length on which cylinders fall beyond the ends of both wires, over that of the overlap (from
+   !> half-spaces)
+   real(dp), parameter :: spot_beyond_ends = 0.25_dp
+   !> Part of the contact of a round end that lies beyond the end of a line
+   real(dp), parameter :: half_of_end = 0.5_dp
    !> What two halves have at least in common, and at least not: without a corner where the other end comes first
    real(dp), parameter :: least_common = 0.01_dp
 
@@ -48,6 +56,8 @@ module litz_cut_lens
       real(dp) :: energy(2, 2) = 1
       !> Square of the length of the spot along either wire, over that of the overlap (2) [-]
       real(dp) :: extent(2) = 1
+      !> The same of the spot of the round end of either wire on the other one (2) [-]
+      real(dp) :: spot_of_end(2) = 1
       !> By how much less than the round end the cylinder behind it overlaps, over the square of its place (2) [1/m]
       real(dp) :: receding(2) = 0
       !> Part of the curvature that is that of the wires, and not that of the longest overlap (2) [-]
@@ -67,6 +77,8 @@ module litz_cut_lens
       real(dp) :: of_ball(2) = 0
       !> What the contact has of these pairs, of which other contacts or the places along a line have the rest (2, 2)
       real(dp) :: share(2, 2) = 1
+      !> Part of what it has of round ends that it has beside places along a line, which carry the cylinders there
+      real(dp) :: beside_places = 0
    end type cut_lens_t
 
    !> Part of the energy of two uncut cylinders, as a function of overlap and of both places.
@@ -121,44 +133,140 @@ contains
       !> As `cut_energy` has them [m]
       real(dp), intent(in) :: overlap, place(2)
       type(jet_t) :: pair(2, 2)
-      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat, both, scale
-      type(jet_t) :: of_cylinders, recess
-      real(dp) :: root(2)
+      type(jet_t) :: delta, middle, at_end(2), corner, a(2), foot(2), cylinder(2), over_foot(2), flat(2), both, scale
+      type(jet_t) :: of_cylinders, recess, of_end(2), lean(2)
+      real(dp) :: root(2), opposite
       integer :: i
 
       delta = variable(overlap, 1)
       call find_overlaps(lens, held, delta, [variable(place(1), 2), variable(place(2), 3)], a, foot, middle, at_end, &
          corner)
       root = sqrt(curvatures_of(lens)/(2*lens%distance))
+      opposite = 0
+      if (all(lens%near)) opposite = opposite_ways(lens%cosine)
       do i = 1, 2
          cylinder(i) = constant(1.0_dp)
          over_foot(i) = constant(1.0_dp)
+         flat(i) = constant(1.0_dp)
          if (.not. lens%near(i)) cycle
          recess = constant(0.0_dp)
          if (held(i) .and. place(i) < 0) recess = lens%receding(i)*variable(place(i), i + 1)*variable(place(i), i + 1)
          cylinder(i) = energy_to(sqrt(lens%bend(i)/(2*lens%distance))*a(i), at_end(i) - recess, &
             lens%extent(i), lens%own_bend(i))
          over_foot(i) = energy_to(root(i)*foot(i), corner, whole_overlap, all_own)
+         if (opposite > 0) over_foot(i) = (1 - opposite)*over_foot(i) + opposite*on_its_side(root(i)*foot(i), corner, &
+            lens%spot_of_end(3 - i))
          middle = middle - recess
          if (.not. held(i)) cycle
-         flat = flatness((-1/lens%distance)*variable(place(i), i + 1))
-         cylinder(i) = flat*cylinder(i)
-         over_foot(i) = flat*over_foot(i)
+         flat(i) = flatness((-1/lens%distance)*variable(place(i), i + 1))
+         cylinder(i) = flat(i)*cylinder(i)
+         over_foot(i) = flat(i)*over_foot(i)
       end do
       both = of_both(cylinder, lens%cosine)
+      lean = [constant(0.0_dp), constant(0.0_dp)]
+      if (opposite > 0) call cut_behind_end(lens, held, opposite, a, middle, flat, cylinder, both, lean)
       of_cylinders = constant(1.0_dp)
+      ! straight wires lead away from the ends of each other, however long their overlap counts
+      if (all(held)) foot = [variable(place(1), 2), variable(place(2), 3)]
+      if (all(held)) root = sqrt(1/(2*lens%distance))
       if (all(lens%near)) of_cylinders = left_by_ends(root, foot, corner)
       both = of_cylinders*both
       scale = delta**(-energy_power)
       ! the law of a shorter ellipse, along as long an overlap
       pair(1, 1) = sqrt(lens%of_wedge)*both*energy_of(middle)*scale
-      pair(2, 1) = of_cylinders*(1.0_dp - cylinder(1))*over_foot(2)
-      pair(1, 2) = of_cylinders*(1.0_dp - cylinder(2))*over_foot(1)
+      associate (beside => opposite*lens%beside_places)
+         do i = 1, 2
+            of_end(i) = 1.0_dp - cylinder(i)
+            of_end(i) = (1 - beside)*of_end(i) + beside*(half_of_end*lean(i) + (1.0_dp - lean(i)) &
+               *beside_places(of_end(i)))
+         end do
+         both = (1.0_dp - beside*(lean(1) + lean(2)))*both
+      end associate
+      pair(2, 1) = of_cylinders*of_end(1)*over_foot(2)
+      pair(1, 2) = of_cylinders*of_end(2)*over_foot(1)
       pair(2, 2) = constant(0.0_dp)
       if (all(lens%near)) pair(2, 2) = at_least_zero(1.0_dp - both - pair(2, 1) - pair(1, 2))*energy_of(corner)*scale
       pair(2, 1) = pair(2, 1)*energy_of(at_end(1))*scale
       pair(1, 2) = pair(1, 2)*energy_of(at_end(2))*scale
    end function parts_of_pairs
+
+   !> Where one wire leans on the other one with its end, and that one ends within the overlap so begun and leads the
+   !> other way: both cylinders have what lies between the ends, which is none as these pass each other. What lies
+   !> beyond the other end is an overlap that begins there, by the law of the first one.
+   pure subroutine cut_behind_end(lens, held, opposite, a, middle, flat, cylinder, both, beyond)
+      type(cut_lens_t), intent(in) :: lens
+      !> The contact is at the end (2)
+      logical, intent(in) :: held(2)
+      !> How much they lead opposite ways
+      real(dp), intent(in) :: opposite
+      !> From the middle to the ends (2), the overlap there, and how flat either wire lies (2)
+      type(jet_t), intent(in) :: a(2), middle, flat(2)
+      !> What either cylinder keeps (2), and what both of them do
+      type(jet_t), intent(inout) :: cylinder(2), both
+      !> How much an end lies beyond that on which the other wire leans (2)
+      type(jet_t), intent(inout) :: beyond(2)
+      type(jet_t) :: own, other, at_end, square, lean, kept
+      real(dp) :: of_wedge
+      integer :: i
+
+      i = findloc(held .and. a%value < 0, .true., 1)
+      if (i == 0) return
+      own = sqrt(lens%bend(i)/(2*lens%distance))*a(i)
+      other = sqrt(lens%bend(3 - i)/(2*lens%distance))*a(3 - i)
+      at_end = middle - own*own
+      if (.not. (other%value > 0 .and. at_end%value > 0)) return
+      square = own*own
+      lean = (wedge_from*opposite)*square*(lens%own_bend(i)*at_end + wedge_from*square)**(-1.0_dp)
+      associate (extent => lens%extent(3 - i))
+         of_wedge = min(1.0_dp, (2*extent)**wedge_power)
+         square = other*other
+         at_end = middle - square
+         kept = at_end*(extent + (of_wedge - extent)*lean) + square*(extent + (1 - extent)*lean)
+         cylinder(3 - i) = constant(1.0_dp)
+         if (square%value < kept%value) cylinder(3 - i) = energy_below(other*kept**(-0.5_dp))
+         cylinder(3 - i) = flat(3 - i)*cylinder(3 - i)
+      end associate
+      beyond(3 - i) = lean
+      both = (1.0_dp - lean)*of_both(cylinder, lens%cosine) + lean*at_least_zero(cylinder(1) + cylinder(2) &
+         - constant(1.0_dp))
+   end subroutine cut_behind_end
+
+   !> How much two wires lead opposite ways from their ends: side by side, not across.
+   pure real(dp) function opposite_ways(cosine) result(opposite)
+      !> gamma
+      real(dp), intent(in) :: cosine
+
+      opposite = 0
+      if (cosine < 0) opposite = 1 - smooth_step((sqrt(max(0.0_dp, 1 - cosine**2)) - lies_along)/(crosses - lies_along))
+   end function opposite_ways
+
+   !> What a round end has over a wire that leads the other way than its own: its side of the contact as long as the end
+   !> of that is beyond its own, else what the spot reaches of that.
+   pure type(jet_t) function on_its_side(x, corner, extent) result(part)
+      !> `y sqrt(c/(2 d))` of the foot [m^(1/2)], and overlap of end over end
+      type(jet_t), intent(in) :: x, corner
+      !> kappa^2 of the spot
+      real(dp), intent(in) :: extent
+      type(jet_t) :: whole
+
+      part = constant(1.0_dp)
+      if (.not. x%value < 0) return
+      whole = extent*(corner + x*x)
+      part = constant(0.0_dp)
+      if (x%value**2 < whole%value) part = 2.0_dp*energy_below(x*whole**(-0.5_dp))
+   end function on_its_side
+
+   !> What a round end has of its contact beside a line that places carry up to the end: what lies beyond the end, a
+   !> half as the wire leans.
+   pure type(jet_t) function beside_places(of_end) result(part)
+      !> What it has of a lens that the contact carries
+      type(jet_t), intent(in) :: of_end
+      real(dp) :: s
+
+      part = of_end
+      s = 2*of_end%value - 1
+      if (s > 0) part = composed(of_end, (1 + s*(1 - s)**2)/2, (1 - s)*(1 - 3*s), 2*(6*s - 4))
+   end function beside_places
 
    !> What joints leave of the parts of cylinders and ends: of each cylinder those of its legs, the joint has the rest.
    pure function divided_at_joints(lens, pair) result(divided)
@@ -321,7 +429,7 @@ contains
       if (.not. (all(foot%value < 0) .and. corner%value > 0)) return
       do i = 1, 2
          x = scale(i)*foot(i)
-         rest(i) = fall_of(x*(corner + x*x)**(-0.5_dp))
+         rest(i) = fall_of(x*(spot_beyond_ends*corner + x*x)**(-0.5_dp))
       end do
       part = rest(1) + rest(2) - rest(1)*rest(2)
    end function left_by_ends
@@ -342,6 +450,16 @@ contains
       b = constant(0.0_dp)
       if (a%value > 0) b = a
    end function at_least_zero
+
+   !> 0 up to 0, 1 from 1 on, without a corner.
+   elemental real(dp) function smooth_step(u)
+      !> [-]
+      real(dp), intent(in) :: u
+
+      associate (v => max(0.0_dp, min(1.0_dp, u)))
+         smooth_step = v**2*(3 - 2*v)
+      end associate
+   end function smooth_step
 
    !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
    pure type(jet_t) function flatness(tilt)

@@ -24,7 +24,7 @@ module litz_restart_file
    private
    public :: restart_file_t, read_restart, wants_restart
 
-   integer, parameter :: format_version = 39
+   integer, parameter :: format_version = 40
 
    type, extends(restart_arrays_t) :: restart_file_t
       private

@@ -543,7 +543,7 @@ def test_files_of_an_earlier_format_are_refused_in_words(litz, kept, tmp_path):
         file.attrs["format_version"] = file.attrs["format_version"] - 1
     done = litz("run", kept / "deck.inp", "-o", tmp_path / "out", "--restart", tmp_path / "old.h5")
     assert done.returncode == 4
-    assert "another version of litz wrote it, in format 38 (this one reads format 39)" in done.stderr
+    assert "another version of litz wrote it, in format 39 (this one reads format 40)" in done.stderr
     assert not (tmp_path / "out").exists() or not list((tmp_path / "out").iterdir())
 
 

@@ -398,11 +398,12 @@ def test_ends_that_lead_away_from_each_other_become_two_spheres(run, lean, yaw, 
     whole = 1 if law == HERTZ else force[0] / spheres[0]
     apart = overlaps < slope**2 / 100
     assert force[apart] == pytest.approx(whole * spheres[apart], rel=0.01)
-    assert np.all(force < 1.4 * whole * spheres)
+    # boundary elements have 1.1 to 1.25 times the force at most
+    assert np.all(force < (1.3 if law == HERTZ else 1.55) * whole * spheres)
     assert np.all(force > 0.99 * whole * spheres)
     if law == HERTZ:
         assert conductance[apart] == pytest.approx(conduct[apart], rel=0.01)
-        assert np.all(conductance < 1.3 * conduct)
+        assert np.all(conductance < 1.35 * conduct)
 
 
 @pytest.mark.parametrize(("begin", "left"), [(0.3, 0.05), (-0.05, 0.015)])
@@ -426,6 +427,59 @@ def test_what_a_lap_holds_is_work_of_the_way_on_which_it_is_pulled_apart(run, be
     thin = (gap > 0) & (normal_overlap > 0) & (normal_overlap < 1e-3)
     spheres = [force_for(each * radius, end_on_end, (COPPER, COPPER)) for each in normal_overlap[thin]]
     assert force[-len(gap) :][thin] == pytest.approx(spheres, rel=0.05)
+
+
+def dragged_tip(degrees, overlap, begin, end, spacing, increments):
+    """The tip of a wire that leans on another one, pressed to this depth, is dragged from and to these places before the end
+    of that one, which leads the other way; all lengths in radii."""
+    radius, slope = COPPER.radius, math.tan(math.radians(degrees))
+    lower = np.linspace((-20 * radius, 0, 0), (0, 0, 0), round(20 / spacing) + 1)
+    s = np.linspace(0, 20, round(16 / spacing) + 1)[:, None] * radius
+    upper = s * [1, 0, slope] + np.array([-begin, 0, 2]) * radius
+    down = -overlap * radius
+    steps = [moved(0, 0, down, increments=10), moved((begin - end) * radius, 0, down, increments=increments)]
+    deck = two_wires(lower, upper, HELD, *steps, law=HERTZ + spot("HERTZ"))
+    return deck.replace("*END STEP", "*ENERGY PRINT\n*END STEP")
+
+
+@pytest.mark.parametrize(("degrees", "overlap"), [(0.25, 0.01), (0.5, 0.01), (1, 0.01), (0.5, 0.02), (1, 0.02)])
+def test_tips_that_lead_opposite_ways_pass_each_other_without_a_step(run, degrees, overlap):
+    """From a wedge that is whole to where nothing touches: the force falls, and what contacts hold is work of the way."""
+    wedge = overlap / math.radians(degrees)
+    results = solved(run(dragged_tip(degrees, overlap, 1.25 * wedge, -2.2 * math.sqrt(overlap), 2.2, 80)))
+    history, held = results.history, results.history["ALLCCE"][10]
+    assert history["ALLCCE"][-1] == 0
+    assert np.abs(history["ETOTAL"][11:] - history["ETOTAL"][10]).max() < 0.04 * held
+    force, conductance = (each[9:] for each in totals(results))
+    assert np.diff(force).max() < 0.005 * force[0]
+    assert np.diff(conductance).max() < 0.02 * conductance[0]
+    assert largest_step(force) < 0.02
+
+
+@pytest.mark.parametrize("degrees", [0.5, 1])
+def test_tips_that_lead_the_same_way_pass_each_other_without_a_step(run, degrees):
+    """Where end meets end, a wire leans on the other one as if that went on: nothing jumps as it comes to that."""
+    radius, slope, down, increments = COPPER.radius, math.tan(math.radians(degrees)), -0.01 * COPPER.radius, 60
+    lower = np.linspace((-20 * radius, 0, 0), (0, 0, 0), 10)
+    upper = np.linspace(0, 20, 8)[:, None] * radius * [-1, 0, slope] + np.array([-0.03, 0, 2]) * radius
+    steps = [moved(0, 0, down, increments=10), moved(0.1 * radius, 0, down, increments=increments)]
+    deck = two_wires(lower, upper, HELD, *steps, law=HERTZ + spot("HERTZ")).replace(
+        "*END STEP", "*ENERGY PRINT\n*END STEP"
+    )
+    results = solved(run(deck))
+    history, held = results.history, results.history["ALLCCE"][10]
+    assert np.abs(history["ETOTAL"][11:] - history["ETOTAL"][10]).max() < 0.06 * held
+    for values in totals(results):
+        assert np.diff(values[9:]).max() < 0.005 * values[9]
+        assert largest_step(values[9:]) < 0.01
+
+
+@pytest.mark.parametrize("spacing", [2.2, 0.7])
+def test_a_tip_that_is_dragged_along_a_wire_holds_what_it_holds(run, spacing):
+    """While places carry a part of it, and wherever they are: over four radii, on which 30 % of it were in no energy."""
+    results = solved(run(dragged_tip(0.57, 0.01, 7, 3, spacing, 80)))
+    history, held = results.history, results.history["ALLCCE"][10]
+    assert np.abs(history["ETOTAL"][11:] - history["ETOTAL"][10]).max() < 0.035 * held
 
 
 @pytest.mark.parametrize("yaw", [0.0, 1e-8, 1e-3])

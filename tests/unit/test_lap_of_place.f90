@@ -22,6 +22,8 @@ program test_lap_of_place
    parallel = line_wires(wires, 0.0_dp)
    lap%dweight = 0.7_dp
    lap%d2weight = 2.0e3_dp
+   lap%of_course = 0.02_dp
+   lap%dof_course = 300
    lap%strip_bound = (6.0e-3_dp)**(-2)
    lap%dstrip_bound = -2.0e3_dp*lap%strip_bound
    call the_force_is_that_of_the_energy()
@@ -53,7 +55,7 @@ contains
       type(line_force_t) :: law
 
       law = line_force(line_at(way), at, 0.0_dp)
-      energy = (weight + (lap%dweight + lap%d2weight*way/2)*way)*law%energy
+      energy = (weight + (lap%dweight + lap%d2weight*way/2)*way)*law%energy + (lap%of_course + lap%dof_course*way/2)*way
    end function energy
 
    !> The far field as the lap has changed by a length.

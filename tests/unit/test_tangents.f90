@@ -217,6 +217,11 @@ program test_tangents
    call check_ends('end next to another one', hertz//spot, 'behind one', 'A, B')
    call check_ends('end on an end next to both sides', penalty_of_line//clean, 'behind both', 'A, B')
    call check_ends('end on an end next to both sides, Hertz', hertz//spot, 'behind both', 'A, B')
+   ! wires side by side that lead opposite ways, and lean on each other
+   call check_ends('end beside that of the other wire', hertz//spot, 'beside end', 'A, B')
+   call check_ends('end beside that of the other wire, penalty', penalty_of_line//clean, 'beside end', 'B, A')
+   call check_ends('end beyond that of the other wire', hertz//spot, 'beyond end', 'A, B')
+   call check_ends('end beyond that of the other wire, penalty', penalty_of_line//clean, 'beyond end', 'B, A')
    call check_ends('end next to the side of a straight axis', hertz, 'behind', 'A, B', ', AXIS=LINEAR')
    call check_ends('end on a rigid plane', surfaces('PLANE', '4.459e-4, 0, -8.918e-4, -0.5, 0, 1'), 'tips', 'A, B')
    call check_element_loads()
@@ -284,6 +289,7 @@ contains
       character(len=*), parameter :: cantilever = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.02, 0.001, 0'//nl// &
          '3, -0.01, 0.001, 0'//nl//'4, 0, 0, 0'//nl
       character(len=:), allocatable :: cards
+      character(len=12) :: number
       logical :: both
 
       select case (place)
@@ -300,6 +306,11 @@ contains
       case ('before both', 'behind one', 'behind both')
          deck = cantilever//nodes_across(merge(-2.1e-6_dp, 2.0e-5_dp, place == 'before both'), &
             merge(-3.0e-5_dp, 2.0e-5_dp, place == 'behind both'))
+      case ('beside end', 'beyond end')
+         write (number, '(es12.4)') merge(2.0e-5_dp, -1.5e-4_dp, place == 'beyond end')
+         deck = '*NODE'//nl//'1, -0.03, 0, 0'//nl//'2, -0.02, 0, 0'//nl//'3, -0.01, 1e-4, 0'//nl//'4, 0, 0, 0'//nl// &
+            '11, 0.02, 2e-4, 0.0022'//nl//'12, 0.014, 1e-4, 0.00208'//nl//'13, 0.008, 1e-4, 0.00196'//nl// &
+            '14, '//number//', 0, 0.0018'//nl
       case ('leg')
          deck = '*NODE'//nl//'1, -0.02, 0, -0.008'//nl//'2, -0.008, 0.001, -0.0032'//nl//'3, 0, 0, 0'//nl// &
             '4, 0.02, 0, -0.008'//nl//'11, 0.0012, -0.02, 0.00142'//nl//'12, 0.001, -0.006, 0.00142'//nl// &
@@ -599,7 +610,7 @@ contains
 
       held_of = 1
       if (place(1:6) == 'before') held_of = 0
-      if (place == 'behind both') held_of = 2
+      if (place == 'behind both' .or. place == 'beyond end') held_of = 2
    end function held_of
 
    !> Steps that solve for motions, potentials and temperatures at once: all blocks of the tangent.

@@ -1,4 +1,4 @@
-"""Round ends of wires on wires: tips that lean, crossings just before an end, and short laps; and lenses of small angles.
+"""Round ends of wires on wires: tips that lean and pass each other, crossings just before an end, and short laps; and lenses of small angles.
 
 Clean metal conducts as it gives way (J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66).
 
@@ -28,6 +28,8 @@ SLIGHT_SLOPES, LIGHT = (1.0, 0.5, 0.25, 0.1, 0.05, 0.03), 1e-7
 SHORT_TIPS = SLOPES[:3]
 #: Lengths of laps, and of one whose wires part by these curvatures [1/r], in sqrt(r delta)
 LAPS, ARCH, BENDS = (2.5, 5.0, 10.0, 20.0), 20.0, (0.01, 0.02, 0.03)
+#: Slopes of tips that pass the end of the other wire, and how far they are before it [r]
+PASSING, PLACES = (0.00873, 0.01746), (1.0, 0.5, 0.25, 0.0, -0.05)
 #: Places of crossings before the end, in sqrt(r delta)
 BEFORE = (0.0, 0.3, 0.6, 1.0)
 #: Angles of crossings [degrees], and their place before the end of one wire or of both; the overlap of these [m]
@@ -49,6 +51,11 @@ def measure(workspace):
         ],
         "ends_on_wires.laps": laps,
         "ends_on_wires.arches": arches,
+        "ends_on_wires.passing": [
+            force_of(workspace, f"passing_{slope}_{place}", straight((-place * RADIUS, 0), slope), end=0.0)
+            for slope in PASSING
+            for place in PLACES
+        ],
         "ends_on_wires.crossings": across,
         "ends_on_wires.oblique": [
             force_of(workspace, f"oblique_{angle}", oblique(angle), overlap=SLIGHT) for angle in ANGLES

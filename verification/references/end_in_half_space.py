@@ -102,6 +102,18 @@ def force_of_lap(length, bend=0.0, cells=120, overlap=0.0):
     )  # fmt: skip
 
 
+def force_of_passing(slope, lap, cells=120, overlap=0.0):
+    """The same of a tip that leans as in `force_of_tip` and passes the end of a wire that leads the other way.
+
+    lap: from the tip to that end, over sqrt(r delta); negative: the tip is beyond it, at the same height.
+    """
+    ends = (min(lap, 0) - 1.5, min(1 / slope + slope / 2, max(lap, 0) + 1.5))
+    return force_of_wires(
+        lambda x: np.where(x < slope, x**2 / 2, slope * x - slope**2 / 2) + sphere(x - lap), ends, cells, overlap=overlap,
+        lowest=0.0,
+    )  # fmt: skip
+
+
 def force_of_lens(half_length, overlap=0.0, cells=80):
     """The same of two wires that cross at a small angle, in a lens of this half length over sqrt(r delta)."""
     return force_of_wires(lambda x: (x / half_length) ** 2, (-1.02 * half_length, 1.02 * half_length), cells,
@@ -156,15 +168,18 @@ def sphere(beyond):
     return np.maximum(beyond, 0) ** 2 / 2
 
 
-def force_of_wires(height, ends, cells, across=2.0, overlap=0.0):
-    """Force of heights [delta] along a wire between two places [sqrt(r delta)], and the curvature across it."""
+def force_of_wires(height, ends, cells, across=2.0, overlap=0.0, lowest=None):
+    """Force of heights [delta] along a wire between two places [sqrt(r delta)], and the curvature across it.
+
+    lowest: height that is approached by delta; None: the least one.
+    """
     n, m = round(cells * max(1.0, (ends[1] - ends[0]) / 8)), cells // 2
     size = ((ends[1] - ends[0]) / n, 3.2 / m)
     along = height(ends[0] + (np.arange(n) + 0.5) * size[0])
     y = -1.6 + (np.arange(m) + 0.5) * size[1]
-    # heights are over the lowest one
-    finest = height(np.linspace(*ends, 100 * n)).min()
-    heights = (along - finest)[:, None] + across * y[None, :] ** 2 / 2
+    if lowest is None:
+        lowest = height(np.linspace(*ends, 100 * n)).min()
+    heights = (along - lowest)[:, None] + across * y[None, :] ** 2 / 2
     return contact_force(heights, size, 1e-6, overlap=overlap)
 
 
@@ -175,6 +190,8 @@ if __name__ == "__main__":
     print(*(round(force_of_tip(v, overlap=0.01), 3) for v in (1.0, 0.5, 0.25, 0.15, 0.1, 0.05, 0.025)))
     print(*(round(force_of_lap(length, overlap=0.01), 3) for length in (2.5, 5.0, 10.0, 20.0)))
     print(*(round(force_of_lap(20.0, bend, overlap=0.01), 3) for bend in (0.01, 0.02, 0.03)))
+    for slope in (0.00873, 0.01746):
+        print(*(round(force_of_passing(10 * slope, 10 * lap, overlap=0.01), 3) for lap in (1.0, 0.5, 0.25, 0.0, -0.05)))
     for overlap in (0.001, 0.01):
         print(*(round(force_of_lens(a / overlap**0.5, overlap), 3) for a in (0.3, 0.5, 0.7, 1, 1.5, 2, 3)))
     print(*(round(force_of_crossing(before), 3) for before in (0.0, 0.3, 0.6, 1.0)))
