@@ -55,7 +55,7 @@ contains
       n = min(chunk, size(touching))
       allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
       allocate (nodes(4, n))
-      if (.not. domain%motions_stand) call clear_motions(points)
+      if (.not. domain%motions_stand) call clear_motions(domain%model, points)
       call clear_flows(points)
       do first = 1, size(touching), chunk
          n = min(chunk, size(touching) - first + 1)
@@ -462,14 +462,19 @@ contains
       point%temperature_max = max(point%temperature_bar, point%temperature)
    end subroutine keep_temperatures
 
-   elemental subroutine clear_motions(point)
-      type(contact_point_t), intent(inout) :: point
-
-      if (allocated(point%friction_iteration)) then
-         if (.not. (point%active .or. point%closed)) call forget_friction(point%friction_iteration)
-      end if
-      point%friction = friction_law_t()
-      point%traction = 0
+   !> What an iteration supposes of friction ends with the contact, and where it comes to a pair without friction.
+   pure subroutine clear_motions(model, points)
+      type(model_t), intent(in) :: model
+      type(contact_point_t), intent(inout) :: points(:)
+      integer :: i
+      do i = 1, size(points)
+         associate (point => points(i), law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            if (allocated(point%friction_iteration) .and. .not. ((point%active .or. point%closed) .and. &
+               coefficient_of_friction(law, point) > 0)) call forget_friction(point%friction_iteration)
+            point%friction = friction_law_t()
+            point%traction = 0
+         end associate
+      end do
    end subroutine clear_motions
 
    elemental subroutine clear_flows(point)

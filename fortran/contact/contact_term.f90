@@ -312,6 +312,7 @@ contains
       type(domain_t), intent(inout) :: domain
       !> Linear step of the unknowns (n_slots, n_nodes)
       real(dp), intent(in) :: correction(:, :)
+      !> Forces and tangent are to be assembled again
       logical, intent(inout) :: has_changed
       logical :: has_grown
       real(dp) :: changed, active

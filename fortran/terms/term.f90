@@ -206,8 +206,8 @@ contains
       real(dp), intent(in) :: correction(:, :)
    end subroutine foresee
 
-   !> One-sided conditions that a linear step changes are supposed to be as it has them, where the iterate is, if so many
-   !> are that the step is worth taking anew.
+   !> One-sided conditions that a linear step changes are supposed to be as it has them, where the iterate is, if there
+   !> are so many that the step is worth taking anew.
    subroutine suppose(self, domain, correction, has_changed)
       class(term_t), intent(inout) :: self
       type(domain_t), intent(inout) :: domain

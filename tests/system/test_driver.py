@@ -333,24 +333,31 @@ def test_an_increment_that_cannot_converge_ends_the_run_and_keeps_what_was_reach
     assert len(results.times) == 1
 
 
-def held_at_the_ends(most):
-    """A grid whose upper wires follow their supports only, with I_C = `most`."""
-    deck = grid(12).replace(" LOWER, 3\n", "")
+def held_at_the_ends(most, n=12):
+    """A grid of n by n wires whose upper ones follow their supports only, with I_C = `most`."""
+    deck = grid(n).replace(" LOWER, 3\n", "")
     for dofs in ("1, 2", "4, 6", "3, 3"):
         deck = deck.replace(f" UPPER, {dofs}", f" UPPER_ENDS, {dofs}")
     return deck.replace(" 1., 1.\n", f" 1., 1.\n*CONTROLS, PARAMETERS=TIME INCREMENTATION\n , , , {most}\n")
 
 
 def test_iterations_in_which_contacts_open_and_close_as_predicted_do_not_count(run):
-    """Linear contacts at zero gap: which of them stay closed is the same for any load, so a cut would not help."""
-    process, results = run(held_at_the_ends(4))
+    """Linear contacts at zero gap: which of them stay closed is the same for any load, so a cut would not help.
+
+    Nearly all of that is known from the first step, which is taken anew with the contacts that it closes; the rest are not
+    worth that.
+    """
+    process, results = run(held_at_the_ends(1, n=24))
     assert process.returncode == 0, process.stderr
     assert results.status["attempts"].tolist() == [1]
-    assert 4 < results.status["iterations"][0] <= 16
+    assert 1 < results.status["iterations"][0] <= 4
+    active = results.convergence["active"]
+    assert active[1] != active[2] == active[-1] == pytest.approx(active[1], rel=0.05)
 
 
 def test_voltages_are_not_blamed_while_the_displacements_have_not_converged(run):
-    process, _ = run(held_at_the_ends(1).replace(" 1., 1.\n", " 1., 1., 0.5\n"))
+    rubbing = held_at_the_ends(1).replace("*SURFACE BEHAVIOR", "*FRICTION\n 0.3\n*SURFACE BEHAVIOR")
+    process, _ = run(rubbing.replace(" 1., 1.\n", " 1., 1., 0.5\n"))
     assert process.returncode == 2
     assert "the largest force residual" in process.stderr or "the largest moment residual" in process.stderr
     assert "current residual" not in process.stderr

@@ -39,7 +39,7 @@ program test_contact_descent
    call check(near(fraction_of([predicted(0.5_dp, 9.0_dp)]), 0.55_dp), 'the prediction is where the step has started')
    call check(near(1e3_dp*bearable(crossing(radius)), 2.5_dp), 'a crossing gets no deeper than 1.5 radii')
    call check(near(1e3_dp*bearable(crossing(-radius)), 1e3_dp), 'one that is deep already is not held back')
-   call check(near(1e3_dp*bearable(opening(-0.1_dp*radius)), 0.5_dp), 'one that opens goes no farther than half a radius')
+   call check(near(1e3_dp*bearable(opening(-0.1_dp*radius)), 0.5_dp), 'one that opens goes no farther than half of one')
    call check(n_changed(model, upwards(), [crossing(0.5_dp), crossing(2.0_dp)]) == 1, 'the step closes one of two')
    call check(n_changed(model, upwards(), [pressed(-0.5_dp, 0.0_dp)]) == 0, 'the step presses what presses')
    call check(n_changed(model, upwards(), [pressed(-0.5_dp, -9.0_dp)]) == 1, 'what would have to pull opens')

@@ -1,4 +1,4 @@
-"""Round ends of wires on wires: tips that lean and pass each other, crossings just before an end, and short laps; and lenses of small angles.
+"""Round ends of wires on wires: tips, also as they pass each other, crossings before ends, short laps; lenses of small angles.
 
 Clean metal conducts as it gives way (J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66).
 
