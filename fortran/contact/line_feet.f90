@@ -50,7 +50,7 @@ contains
 
    !> The feet of all places that are near to another wire, each once: of pairs of elements that are near somewhere, and
    !> of those that are asked for.
-   subroutine find_feet(model, wires, elements, x_start, rotation_start, x, rotation, is_wanted, contact, feet)
+   subroutine find_feet(model, wires, elements, x_start, rotation_start, x, rotation, is_wanted, contact, feet, only)
       type(model_t), intent(in) :: model
       type(wires_t), intent(in) :: wires
       type(elements_t), intent(in) :: elements
@@ -61,6 +61,8 @@ contains
       !> Out: how near its pairs are
       type(contact_set_t), intent(inout) :: contact
       type(foot_t), allocatable, intent(out) :: feet(:)
+      !> Pairs to look at; absent: all
+      logical, intent(in), optional :: only(:)
       type(feet_t), allocatable :: found(:)
       real(dp) :: near
       integer :: i, k, n
@@ -69,6 +71,9 @@ contains
       !$omp parallel do schedule(dynamic, 64) private(near) if (size(found) >= worth_threads)
       do i = 1, size(found)
          allocate (found(i)%feet(0))
+         if (present(only)) then
+            if (.not. only(i)) cycle
+         end if
          contact%near%has_points(i) = .false.
          near = near_distance_of(wires, elements, contact%candidates(1:2, i))
          if (contact%near%clear(i) > near .and. .not. is_wanted(i)) cycle

@@ -74,8 +74,9 @@ contains
       if (.not. has_lines(model)) return
       comes_near = contact%near%come_near(model, elements, contact%candidates, displacement, spin)
       if (.not. any(comes_near)) return
-      call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, &
-         comes_near .or. contact%near%has_points, contact, feet)
+      call find_feet(model, wires, elements, x_start, rotation_start, x, rotation, comes_near, contact, feet, &
+         only=comes_near)
+      if (size(feet) == 0) return
       feet = pack(feet, are_new(wires, elements, contact, feet))
       call make_points(model, wires, elements, contact, x, rotation, feet, contact%line_points(:0), points)
       call keep_regular(points)

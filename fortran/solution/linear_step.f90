@@ -4,7 +4,7 @@ module litz_linear_step
    use litz_assembly, only: assemble
    use litz_convergence, only: left_before
    use litz_errors, only: error_t
-   use litz_fields, only: n_slots
+   use litz_fields, only: field_displacement, n_slots, first_slot, last_slot
    use litz_full_step, only: factor_full, solve_full
    use litz_problem, only: problem_t
    use litz_timing, only: phase_factor, phase_solve, phase_update
@@ -14,6 +14,8 @@ module litz_linear_step
 
    !> Steps that an iteration repeats at most: by then few contacts change
    integer, parameter :: max_repeats = 5
+   !> A step that is taken anew goes no farther than so many times what it was
+   real(dp), parameter :: most_growth = 2
 
 contains
 
@@ -54,15 +56,18 @@ contains
 
    !> Take a step anew as long as it closes and opens contacts that the tangent has not supposed to: with those that it
    !> closes, where the iterate is. The first step of an increment would push wires into each other that are about to
-   !> touch, as there is nothing yet that resists them. Source: theory section 9.
-   subroutine repeat_step(problem, allowed, correction, solver_error, error)
+   !> touch, as there is nothing yet that resists them. One that sets wires free is not taken anew: that is for an
+   !> iteration which sees how they are then. Source: theory section 9.
+   subroutine repeat_step(problem, allowed, correction, error)
       type(problem_t), intent(inout) :: problem
       !> Residuals of the fields that are allowed (n_fields)
       real(dp), intent(in) :: allowed(:)
       !> Linear step of all unknowns (n_slots, n_nodes)
       real(dp), intent(inout) :: correction(:, :)
-      !> The tangent is singular; input that cannot be evaluated
-      type(error_t), allocatable, intent(out) :: solver_error, error
+      !> Input that cannot be evaluated
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: repeated(size(correction, 1), size(correction, 2))
+      type(error_t), allocatable :: singular
       logical :: has_changed
       integer :: i, n
 
@@ -74,9 +79,23 @@ contains
          if (.not. has_changed) return
          call assemble(problem, error)
          if (allocated(error)) return
-         call solve_step(problem, .false., .true., allowed, .false., correction, solver_error)
-         if (allocated(solver_error)) return
+         call solve_step(problem, .false., .true., allowed, .false., repeated, singular)
+         if (allocated(singular)) return
+         if (.not. length_of(repeated) <= most_growth*length_of(correction)) return
+         correction = repeated
       end do
+
+   contains
+
+      !> Largest displacement of a step along an axis, at any node [m].
+      real(dp) function length_of(step)
+         !> (n_slots, n_nodes)
+         real(dp), intent(in) :: step(:, :)
+
+         length_of = problem%processes%largest(maxval(abs(step(first_slot(field_displacement):last_slot( &
+            field_displacement), :))))
+      end function length_of
+
    end subroutine repeat_step
 
    !> Factor the tangent, or make ready to solve with it by an earlier factor.

@@ -139,12 +139,8 @@ contains
          end if
          call note_solve(problem, keep, outcome)
          if (outcome%iterations == 1 .and. .not. only_change) then
-            call repeat_step(problem, outcome%last%allowed, correction, solver_error, error)
+            call repeat_step(problem, outcome%last%allowed, correction, error)
             if (allocated(error)) return
-            if (allocated(solver_error)) then
-               call give_up(outcome, cause_singular, solver_error%message)
-               return
-            end if
          end if
          call update(problem, step, correction, outcome%last, eta)
          call outcome%note_fraction(eta)
