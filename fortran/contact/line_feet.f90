@@ -61,7 +61,7 @@ contains
       !> Out: how near its pairs are
       type(contact_set_t), intent(inout) :: contact
       type(foot_t), allocatable, intent(out) :: feet(:)
-      !> Pairs to look at; absent: all
+      !> Pairs to look at (n_candidates); absent: all
       logical, intent(in), optional :: only(:)
       type(feet_t), allocatable :: found(:)
       real(dp) :: near
