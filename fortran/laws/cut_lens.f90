@@ -12,6 +12,7 @@
 module litz_cut_lens
    use litz_kinds, only: dp, pi
    use litz_jets, only: jet_t, variable, constant, composed, operator(+), operator(-), operator(*), operator(**)
+   use litz_lens_law, only: smooth_step
    implicit none
    private
    public :: cut_lens_t, lens_part_t, cut_energy, energy_below, integral_to, is_whole, is_cut
@@ -450,16 +451,6 @@ contains
       b = constant(0.0_dp)
       if (a%value > 0) b = a
    end function at_least_zero
-
-   !> 0 up to 0, 1 from 1 on, without a corner.
-   elemental real(dp) function smooth_step(u)
-      !> [-]
-      real(dp), intent(in) :: u
-
-      associate (v => max(0.0_dp, min(1.0_dp, u)))
-         smooth_step = v**2*(3 - 2*v)
-      end associate
-   end function smooth_step
 
    !> 1 where an axis lies along the surface of the other wire, 0 where it runs into it.
    pure type(jet_t) function flatness(tilt)
