@@ -13,9 +13,7 @@ module litz_contact_forces
    use litz_element_library, only: elements_t, along_element, material_at, material_place_t
    use litz_errors, only: error_t
    use litz_fields, only: field_temperature, motion_slots, potential_slots
-   use litz_friction_forces, only: find_friction, increment_start_t
-   use litz_friction_iteration, only: forget_friction
-   use litz_friction_law, only: friction_law_t
+   use litz_friction_forces, only: find_friction, clear_friction, increment_start_t
    use litz_law_input, only: wire_pair_t
    use litz_lens_growth, only: lacks_torque
    use litz_model, only: model_t
@@ -55,7 +53,7 @@ contains
       n = min(chunk, size(touching))
       allocate (k(n_motions, n_motions, n), r(n_motions, n), k_ee(4, 4, n), r_e(4, n), k_me(4, n_motions, n))
       allocate (nodes(4, n))
-      if (.not. domain%motions_stand) call clear_motions(domain%model, points)
+      if (.not. domain%motions_stand) call clear_friction(domain%model, points)
       call clear_flows(points)
       do first = 1, size(touching), chunk
          n = min(chunk, size(touching) - first + 1)
@@ -461,21 +459,6 @@ contains
       point%temperature = along_element(elements%temperature(:, point%element), point%xi)
       point%temperature_max = max(point%temperature_bar, point%temperature)
    end subroutine keep_temperatures
-
-   !> What an iteration supposes of friction ends with the contact, and where it comes to a pair without friction.
-   pure subroutine clear_motions(model, points)
-      type(model_t), intent(in) :: model
-      type(contact_point_t), intent(inout) :: points(:)
-      integer :: i
-      do i = 1, size(points)
-         associate (point => points(i), law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
-            if (allocated(point%friction_iteration) .and. .not. ((point%active .or. point%closed) .and. &
-               coefficient_of_friction(law, point) > 0)) call forget_friction(point%friction_iteration)
-            point%friction = friction_law_t()
-            point%traction = 0
-         end associate
-      end do
-   end subroutine clear_motions
 
    elemental subroutine clear_flows(point)
       type(contact_point_t), intent(inout) :: point

@@ -183,7 +183,7 @@ module litz_contact_points
       real(dp) :: deepest = 0, lens_depth = 0
       !> Force of wires that yield, whatever its share: of a crossing [N], of a point of a line per length [N/m]
       real(dp) :: yielding_force = 0
-      !> Law per length, of a point of a line contact
+      !> Law per length of wires that yield, of a point of a line contact
       type(yielding_place_t), allocatable :: yielding_place
       !> Which of the dents of earlier contacts it has found again; 0: none
       integer :: found_dent = 0

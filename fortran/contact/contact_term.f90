@@ -160,13 +160,22 @@ contains
          call share_crossings(model, wires, elements, contact)
          call find_left_dents(model, wires, elements, contact%left_dents, contact%points)
          call find_left_dents(model, wires, elements, contact%left_dents, contact%line_points)
-         call apply_normal_law(model, elements, contact%points)
-         call apply_normal_law(model, elements, contact%line_points)
-         call couple_pairs(contact, changed)
-         domain%pattern_changed = domain%pattern_changed .or. changed
-         call domain%timing%lap(phase_contact)
+         call press(domain, contact)
       end associate
    end subroutine locate
+
+   !> Forces and stiffnesses of all points; pairs of elements that press are coupled.
+   subroutine press(domain, contact)
+      type(domain_t), intent(inout) :: domain
+      type(contact_set_t), intent(inout) :: contact
+      logical :: has_grown
+
+      call apply_normal_law(domain%model, domain%elements, contact%points)
+      call apply_normal_law(domain%model, domain%elements, contact%line_points)
+      call couple_pairs(contact, has_grown)
+      domain%pattern_changed = domain%pattern_changed .or. has_grown
+      call domain%timing%lap(phase_contact)
+   end subroutine press
 
    subroutine evaluate(self, domain, error)
       class(contact_term_t), intent(inout) :: self
@@ -314,7 +323,6 @@ contains
       real(dp), intent(in) :: correction(:, :)
       !> Forces and tangent are to be assembled again
       logical, intent(inout) :: has_changed
-      logical :: has_grown
       real(dp) :: changed, active
 
       associate (contact => self%contact, model => domain%model, elements => domain%elements)
@@ -326,11 +334,7 @@ contains
          call suppose_contacts(model, correction, contact%points)
          call suppose_contacts(model, correction, contact%line_points)
          call give_rows(model, domain%wires, elements, domain%iterate%x, domain%iterate%rotation, contact%line_points)
-         call apply_normal_law(model, elements, contact%points)
-         call apply_normal_law(model, elements, contact%line_points)
-         call couple_pairs(contact, has_grown)
-         domain%pattern_changed = domain%pattern_changed .or. has_grown
-         call domain%timing%lap(phase_contact)
+         call press(domain, contact)
       end associate
    end subroutine suppose
 

@@ -7,7 +7,7 @@ module litz_friction_forces
    use litz_friction_law, only: friction_law_t, friction_start_t, friction_law, friction_none, friction_stick, &
       friction_slip
    use litz_law_input, only: wire_pair_t
-   use litz_model, only: interaction_t
+   use litz_model, only: model_t, interaction_t
    use litz_normal_forces, only: law_of_spot
    use litz_normal_law, only: force_of_gap_t
    use litz_overlap_of_force, only: overlap_of_point
@@ -18,7 +18,7 @@ module litz_friction_forces
    use litz_wires, only: wires_t, arc_from_to
    implicit none
    private
-   public :: find_friction, increment_start_t
+   public :: find_friction, clear_friction, increment_start_t
 
    !> The two elements of a contact when the increment began, and what has happened since.
    type :: increment_start_t
@@ -261,5 +261,21 @@ contains
       call stick_stiffness_at(law%stick_law, law%stick_value, coefficient_of_friction(law, point), force, &
          overlap_of_point(law%normal, pair, point, force, weight), pair, stiffness, dstiffness_dforce)
    end subroutine stick
+
+   !> What an iteration supposes of friction ends with the contact, and where it comes to a pair without friction.
+   pure subroutine clear_friction(model, points)
+      type(model_t), intent(in) :: model
+      type(contact_point_t), intent(inout) :: points(:)
+      integer :: i
+
+      do i = 1, size(points)
+         associate (point => points(i), law => model%interactions(model%contact_pairs(points(i)%pair)%interaction))
+            if (allocated(point%friction_iteration) .and. .not. ((point%active .or. point%closed) .and. &
+               coefficient_of_friction(law, point) > 0)) call forget_friction(point%friction_iteration)
+            point%friction = friction_law_t()
+            point%traction = 0
+         end associate
+      end do
+   end subroutine clear_friction
 
 end module litz_friction_forces
